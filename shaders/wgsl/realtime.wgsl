@@ -3825,65 +3825,45 @@ fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 
 
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
-    var next_2 : NextRays_0 = no_rays_0();
-    var goes_on_1 : bool;
-    if((*at_7).is_at_cell_0)
+    var cached_0 : vec3<f32> = vec3<f32>(0.0f);
+    ends_here_0 = false;
+    var arrived_1 : Path_0 = (*at_7).path_7;
+    var emitted_2 : vec3<f32> = cached_0;
+    var _S250 : Path_0 = (*at_7).path_7;
+    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S250), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+    (*at_7).path_7 = _S250;
+    var goes_on_1 : bool = (any(((next_2.direction_0) != cached_0)));
+    if((*at_7).has_shown_0)
     {
-        next_2.origin_0 = (*at_7).ray_10.origin_1;
-        next_2.path_origin_0 = (*at_7).ray_10.origin_1;
-        next_2.direction_0 = (*at_7).ray_10.direction_1;
-        goes_on_1 = true;
+        (*sample_11).light_6 = (*sample_11).light_6 + emitted_2;
     }
     else
     {
-        var cached_0 : vec3<f32> = vec3<f32>(0.0f);
-        ends_here_0 = false;
-        var arrived_1 : Path_0 = (*at_7).path_7;
-        var emitted_2 : vec3<f32> = cached_0;
-        var _S250 : Path_0 = (*at_7).path_7;
-        var _S251 : NextRays_0 = PathTracingOf_advance_1(&(_S250), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
-        (*at_7).path_7 = _S250;
-        next_2 = _S251;
-        var goes_on_2 : bool = (any(((next_2.direction_0) != cached_0)));
-        if((*at_7).has_shown_0)
-        {
-            (*sample_11).light_6 = (*sample_11).light_6 + emitted_2;
-        }
-        else
-        {
-            Walker_see_0(&((*at_7)), arrived_1, hit_10, beyond_6, emitted_2, goes_on_2, &((*sample_11)));
-        }
-        if((*at_7).has_shown_0)
-        {
-            return false;
-        }
-        goes_on_1 = goes_on_2;
+        Walker_see_0(&((*at_7)), arrived_1, hit_10, beyond_6, emitted_2, goes_on_1, &((*sample_11)));
     }
-    if((*at_7).is_at_cell_0)
+    if((*at_7).has_shown_0)
     {
-        (*at_7).path_7.bounce_0 = u32(1);
-        (*at_7).path_7.event_0 = u32(1);
-        (*at_7).path_7.scattered_0 = u32(1);
-        (*at_7).is_at_cell_0 = false;
+        return false;
     }
     (*at_7).direction_25 = next_2.direction_0;
     (*at_7).light_5 = next_2.light_0;
     (*at_7).is_shadow_ray_0 = next_2.has_shadow_ray_0;
     (*at_7).path_origin_2 = next_2.path_origin_0;
     (*at_7).ray_10 = ray_from_0(next_2.origin_0, next_2.direction_0);
-    if((*at_7).is_shadow_ray_0)
+    if(next_2.has_shadow_ray_0)
     {
         (*at_7).ray_10 = Ray_x24init_0(next_2.origin_0, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
+    var _S251 : bool;
     if(goes_on_1)
     {
-        goes_on_1 = true;
+        _S251 = true;
     }
     else
     {
-        goes_on_1 = (*at_7).is_shadow_ray_0;
+        _S251 = (*at_7).is_shadow_ray_0;
     }
-    return goes_on_1;
+    return _S251;
 }
 
 struct Key_0
@@ -4249,58 +4229,59 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : u32,  sample_12 : ptr<function, Sample_0>) -> bool
 {
     var next_4 : NextRays_0 = no_rays_0();
-    var goes_on_3 : bool;
+    var _S272 : bool = (*at_8).is_at_cell_0;
+    var goes_on_2 : bool;
     if((*at_8).is_at_cell_0)
     {
         next_4.origin_0 = (*at_8).ray_10.origin_1;
         next_4.path_origin_0 = (*at_8).ray_10.origin_1;
         next_4.direction_0 = (*at_8).ray_10.direction_1;
-        goes_on_3 = true;
+        goes_on_2 = true;
     }
     else
     {
-        var _S272 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S272;
+        var _S273 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S273;
         if((*at_8).has_shown_0)
         {
-            goes_on_3 = (*at_8).asks_cache_0;
+            goes_on_2 = (*at_8).asks_cache_0;
         }
         else
         {
-            goes_on_3 = false;
+            goes_on_2 = false;
         }
-        if(goes_on_3)
+        if(goes_on_2)
         {
-            var _S273 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
-            goes_on_3 = _S273;
+            var _S274 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_2 = _S274;
         }
         else
         {
-            goes_on_3 = false;
+            goes_on_2 = false;
         }
-        ends_here_0 = goes_on_3;
+        ends_here_0 = goes_on_2;
         var arrived_2 : Path_0 = (*at_8).path_7;
-        var emitted_3 : vec3<f32> = _S272;
-        var _S274 : Path_0 = (*at_8).path_7;
-        var _S275 : NextRays_0 = PathTracingOf_advance_0(&(_S274), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_7 = _S274;
-        next_4 = _S275;
-        var goes_on_4 : bool = (any(((next_4.direction_0) != _S272)));
+        var emitted_3 : vec3<f32> = _S273;
+        var _S275 : Path_0 = (*at_8).path_7;
+        var _S276 : NextRays_0 = PathTracingOf_advance_0(&(_S275), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S275;
+        next_4 = _S276;
+        var goes_on_3 : bool = (any(((next_4.direction_0) != _S273)));
         if((*at_8).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
         }
         else
         {
-            Walker_see_0(&((*at_8)), arrived_2, hit_13, beyond_8, emitted_3, goes_on_4, &((*sample_12)));
+            Walker_see_0(&((*at_8)), arrived_2, hit_13, beyond_8, emitted_3, goes_on_3, &((*sample_12)));
         }
-        goes_on_3 = goes_on_4;
+        goes_on_2 = goes_on_3;
     }
     if(scatter_of_path_0.wants_light_0)
     {
         choose_light_0(scatter_of_path_0, &(next_4));
     }
-    if((*at_8).is_at_cell_0)
+    if(_S272)
     {
         (*at_8).path_7.bounce_0 = u32(1);
         (*at_8).path_7.event_0 = u32(1);
@@ -4316,15 +4297,15 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     {
         (*at_8).ray_10 = Ray_x24init_0(next_4.origin_0, 0.0f, next_4.shadow_direction_0, next_4.shadow_t_max_0);
     }
-    if(goes_on_3)
+    if(goes_on_2)
     {
-        goes_on_3 = true;
+        goes_on_2 = true;
     }
     else
     {
-        goes_on_3 = (*at_8).is_shadow_ray_0;
+        goes_on_2 = (*at_8).is_shadow_ray_0;
     }
-    return goes_on_3;
+    return goes_on_2;
 }
 
 struct LocalRay_0
@@ -4349,9 +4330,9 @@ fn local_ray_0( ray_14 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S276 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_14.origin_1);
+        var _S277 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_14.origin_1);
         direction_27 = Transform_direction_0(grid_from_world_2, ray_14.direction_1);
-        origin_8 = _S276;
+        origin_8 = _S277;
     }
     else
     {
@@ -4359,11 +4340,11 @@ fn local_ray_0( ray_14 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_8 = ray_14.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S277 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_26 = _S277;
+    var _S278 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S278;
     local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S277));
+    var speed_0 : f32 = max_element_0(abs(_S278));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -4433,16 +4414,16 @@ fn Walk_mirrored_plane_0( this_33 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 
 fn min_abs_direction_0() -> f32
 {
-    var _S278 : f32;
+    var _S279 : f32;
     if(IS_EXACT_0)
     {
-        _S278 = 0.0f;
+        _S279 = 0.0f;
     }
     else
     {
-        _S278 = 1.00000004581370497e-18f;
+        _S279 = 1.00000004581370497e-18f;
     }
-    return _S278;
+    return _S279;
 }
 
 @id(3) override TOP_SHIFT_0 : u32 = u32(0);
@@ -4463,18 +4444,18 @@ fn walk_of_0( ray_16 : LocalRay_0,  grid_8 : PackedGrid_0) -> Walk_0
     walk_0.ray_15 = ray_16;
     walk_0.grid_origin_0 = cell_of_0(grid_8.origin_4);
     var is_negative_0 : vec3<bool> = (ray_16.direction_26) < vec3<f32>(0.0f);
-    var _S279 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S279, vec3<i32>(i32(-1)), is_negative_0);
-    var _S280 : vec3<i32>;
+    var _S280 : vec3<i32> = vec3<i32>(i32(0));
+    walk_0.mirror_0 = select(_S280, vec3<i32>(i32(-1)), is_negative_0);
+    var _S281 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S280 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S281 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
     }
     else
     {
-        _S280 = _S279;
+        _S281 = _S280;
     }
-    walk_0.offset_0 = _S280;
+    walk_0.offset_0 = _S281;
     var origin_10 : vec3<f32>;
     if(IS_EXACT_0)
     {
@@ -4529,65 +4510,65 @@ fn exact_product_0( a_4 : f32,  b_4 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_4);
     var b_parts_0 : vec2<f32> = halves_0(b_4);
-    var _S281 : f32 = a_parts_0.x;
-    var _S282 : f32 = b_parts_0.x;
-    var _S283 : f32 = b_parts_0.y;
-    var _S284 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S281 * _S282 - product_0 + _S281 * _S283 + _S284 * _S282 + _S284 * _S283);
+    var _S282 : f32 = a_parts_0.x;
+    var _S283 : f32 = b_parts_0.x;
+    var _S284 : f32 = b_parts_0.y;
+    var _S285 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S282 * _S283 - product_0 + _S282 * _S284 + _S285 * _S283 + _S285 * _S284);
 }
 
 fn exact_start_voxel_0( ray_17 : LocalRay_0) -> vec3<i32>
 {
     var way_3 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(0)]);
-    var _S285 : f32 = way_3.x;
-    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S285;
+    var _S286 : f32 = way_3.x;
+    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S286;
     var part_0 : f32 = sum_3 - ray_17.origin_7[u32(0)];
-    var low_8 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S285 - part_0) + way_3.y;
+    var low_8 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S286 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S286 : i32 = i32(whole_0);
-    var _S287 : bool;
+    var _S287 : i32 = i32(whole_0);
+    var _S288 : bool;
     if(sum_3 == whole_0)
     {
-        _S287 = low_8 < 0.0f;
+        _S288 = low_8 < 0.0f;
     }
     else
     {
-        _S287 = false;
+        _S288 = false;
     }
-    voxel_7[u32(0)] = _S286 - i32(_S287);
+    voxel_7[u32(0)] = _S287 - i32(_S288);
     var way_4 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(1)]);
-    var _S288 : f32 = way_4.x;
-    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S288;
+    var _S289 : f32 = way_4.x;
+    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S289;
     var part_1 : f32 = sum_4 - ray_17.origin_7[u32(1)];
-    var low_9 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S288 - part_1) + way_4.y;
+    var low_9 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S289 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S289 : i32 = i32(whole_1);
+    var _S290 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S287 = low_9 < 0.0f;
+        _S288 = low_9 < 0.0f;
     }
     else
     {
-        _S287 = false;
+        _S288 = false;
     }
-    voxel_7[u32(1)] = _S289 - i32(_S287);
+    voxel_7[u32(1)] = _S290 - i32(_S288);
     var way_5 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(2)]);
-    var _S290 : f32 = way_5.x;
-    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S290;
+    var _S291 : f32 = way_5.x;
+    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S291;
     var part_2 : f32 = sum_5 - ray_17.origin_7[u32(2)];
-    var low_10 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S290 - part_2) + way_5.y;
+    var low_10 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S291 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S291 : i32 = i32(whole_2);
+    var _S292 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S287 = low_10 < 0.0f;
+        _S288 = low_10 < 0.0f;
     }
     else
     {
-        _S287 = false;
+        _S288 = false;
     }
-    voxel_7[u32(2)] = _S291 - i32(_S287);
+    voxel_7[u32(2)] = _S292 - i32(_S288);
     return voxel_7;
 }
 
@@ -4600,16 +4581,16 @@ fn Walk_start_voxel_0( this_37 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S292 : bool;
+    var _S293 : bool;
     if((this_37.ray_15.t_min_2) > 0.0f)
     {
-        _S292 = (any(((abs(from_nearest_0)) <= (this_37.tolerance_0))));
+        _S293 = (any(((abs(from_nearest_0)) <= (this_37.tolerance_0))));
     }
     else
     {
-        _S292 = false;
+        _S293 = false;
     }
-    if(_S292)
+    if(_S293)
     {
         return Walk_mirrored_0(this_37, exact_start_voxel_0(this_37.ray_15) - this_37.grid_origin_0);
     }
@@ -4631,12 +4612,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S293 : Crossing_0;
-    _S293.distance_2 = distance_3;
-    _S293.distance_low_0 = distance_low_1;
-    _S293.speed_2 = speed_3;
-    _S293.axis_1 = axis_2;
-    return _S293;
+    var _S294 : Crossing_0;
+    _S294.distance_2 = distance_3;
+    _S294.distance_low_0 = distance_low_1;
+    _S294.speed_2 = speed_3;
+    _S294.axis_1 = axis_2;
+    return _S294;
 }
 
 fn crossing_of_0( ray_18 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
@@ -4666,61 +4647,61 @@ fn Crossing_is_before_0( this_39 : Crossing_0,  other_1 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_39.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S294 : bool;
+    var _S295 : bool;
     if(difference_1 < 0.0f)
     {
-        _S294 = true;
+        _S295 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S294 = (this_39.axis_1) < (other_1.axis_1);
+            _S295 = (this_39.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S294 = false;
+            _S295 = false;
         }
     }
-    return _S294;
+    return _S295;
 }
 
 fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
 {
-    var _S295 : vec3<f32>;
-    var _S296 : f32;
-    var _S297 : bool;
+    var _S296 : vec3<f32>;
+    var _S297 : f32;
+    var _S298 : bool;
     var is_crossed_0 : bool;
     var first_0 : Crossing_0;
-    var _S298 : f32;
-    var _S299 : bool;
-    var _S300 : f32;
-    var _S301 : bool;
+    var _S299 : f32;
+    var _S300 : bool;
+    var _S301 : f32;
+    var _S302 : bool;
     var plane_2 : i32;
-    var _S302 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S303 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S295 = ray_19.direction_26;
-                _S296 = ray_19.direction_26[u32(0)];
-                var _S303 : bool = (ray_19.direction_26[u32(0)]) == 0.0f;
-                _S297 = _S303;
-                if(_S303)
+                _S296 = ray_19.direction_26;
+                _S297 = ray_19.direction_26[u32(0)];
+                var _S304 : bool = (ray_19.direction_26[u32(0)]) == 0.0f;
+                _S298 = _S304;
+                if(_S304)
                 {
-                    first_0 = _S302;
+                    first_0 = _S303;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_of_0(ray_19, u32(0), exit_0[u32(0)]);
-                if((_S302.axis_1) == u32(3))
+                if((_S303.axis_1) == u32(3))
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S302);
+                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S303);
                 }
                 if(is_crossed_0)
                 {
@@ -4728,7 +4709,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 }
                 else
                 {
-                    first_0 = _S302;
+                    first_0 = _S303;
                 }
                 break;
             }
@@ -4738,10 +4719,10 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S298 = _S295[u32(1)];
-                var _S304 : bool = (_S295[u32(1)]) == 0.0f;
-                _S299 = _S304;
-                if(_S304)
+                _S299 = _S296[u32(1)];
+                var _S305 : bool = (_S296[u32(1)]) == 0.0f;
+                _S300 = _S305;
+                if(_S305)
                 {
                     break;
                 }
@@ -4766,10 +4747,10 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S300 = _S295[u32(2)];
-                var _S305 : bool = (_S295[u32(2)]) == 0.0f;
-                _S301 = _S305;
-                if(_S305)
+                _S301 = _S296[u32(2)];
+                var _S306 : bool = (_S296[u32(2)]) == 0.0f;
+                _S302 = _S306;
+                if(_S306)
                 {
                     break;
                 }
@@ -4799,12 +4780,12 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S297)
+                if(_S298)
                 {
                     break;
                 }
-                var _S306 : bool = u32(0) == (first_0.axis_1);
-                if(_S306)
+                var _S307 : bool = u32(0) == (first_0.axis_1);
+                if(_S307)
                 {
                     is_crossed_0 = true;
                 }
@@ -4812,7 +4793,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(0), nearest_1[u32(0)]), first_0);
                 }
-                if(_S306)
+                if(_S307)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4820,7 +4801,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S296 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S297 < 0.0f));
                 break;
             }
             break;
@@ -4829,12 +4810,12 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S299)
+                if(_S300)
                 {
                     break;
                 }
-                var _S307 : bool = u32(1) == (first_0.axis_1);
-                if(_S307)
+                var _S308 : bool = u32(1) == (first_0.axis_1);
+                if(_S308)
                 {
                     is_crossed_0 = true;
                 }
@@ -4842,7 +4823,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(1), nearest_1[u32(1)]), first_0);
                 }
-                if(_S307)
+                if(_S308)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -4850,7 +4831,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S298 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S299 < 0.0f));
                 break;
             }
             break;
@@ -4859,12 +4840,12 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S301)
+                if(_S302)
                 {
                     break;
                 }
-                var _S308 : bool = u32(2) == (first_0.axis_1);
-                if(_S308)
+                var _S309 : bool = u32(2) == (first_0.axis_1);
+                if(_S309)
                 {
                     is_crossed_0 = true;
                 }
@@ -4872,7 +4853,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(2), nearest_1[u32(2)]), first_0);
                 }
-                if(_S308)
+                if(_S309)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4880,7 +4861,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S300 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S301 < 0.0f));
                 break;
             }
             break;
@@ -4927,9 +4908,9 @@ fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S309 : bool = !is_x_0;
+        var _S310 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S309)
+        if(_S310)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4937,16 +4918,16 @@ fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S310 : bool;
-        if(_S309)
+        var _S311 : bool;
+        if(_S310)
         {
-            _S310 = !is_y_0;
+            _S311 = !is_y_0;
         }
         else
         {
-            _S310 = false;
+            _S311 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S310);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S311);
         (*voxel_10) = Walk_arrive_0(this_41, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -4973,8 +4954,8 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S311 : bool = Walk_leave_rounded_0(this_43, &((*voxel_12)), exit_3);
-        return _S311;
+        var _S312 : bool = Walk_leave_rounded_0(this_43, &((*voxel_12)), exit_3);
+        return _S312;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_43, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -4983,9 +4964,9 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S312 : bool = !is_x_1;
+    var _S313 : bool = !is_x_1;
     var is_y_1 : bool;
-    if(_S312)
+    if(_S313)
     {
         is_y_1 = (t_9.y) == t_first_1;
     }
@@ -4997,25 +4978,25 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
     var nearest_3 : vec3<f32> = round(back_0);
     var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
     var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S313 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S314 : vec3<bool> = (abs(from_nearest_2)) <= (this_43.tolerance_0);
-    var _S315 : bool;
-    if(_S312)
+    var _S314 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
+    var _S315 : vec3<bool> = (abs(from_nearest_2)) <= (this_43.tolerance_0);
+    var _S316 : bool;
+    if(_S313)
     {
-        _S315 = !is_y_1;
+        _S316 = !is_y_1;
     }
     else
     {
-        _S315 = false;
+        _S316 = false;
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S315), _S314)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S316), _S315)))))
     {
         arrival_1 = Walk_mirrored_0(this_43, leave_box_0(this_43.ray_15, Walk_mirrored_0(this_43, (*voxel_12)) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, exit_3) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, planes_2) + this_43.grid_origin_0) - this_43.grid_origin_0);
     }
     else
     {
-        arrival_1 = _S313;
+        arrival_1 = _S314;
     }
     (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_43.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -5023,44 +5004,44 @@ fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S316 : bool;
+    var _S317 : bool;
     var is_mirrored_0 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S317 : bool = Walk_enter_rounded_0(this_44, &((*voxel_13)), near_2, far_2);
-        return _S317;
+        var _S318 : bool = Walk_enter_rounded_0(this_44, &((*voxel_13)), near_2, far_2);
+        return _S318;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S316 = (any(((*voxel_13) < near_2)));
+            _S317 = (any(((*voxel_13) < near_2)));
         }
         else
         {
-            _S316 = false;
+            _S317 = false;
         }
-        var _S318 : bool;
-        if(_S316)
+        var _S319 : bool;
+        if(_S317)
         {
-            _S318 = (all(((*voxel_13) < far_2)));
+            _S319 = (all(((*voxel_13) < far_2)));
         }
         else
         {
-            _S318 = false;
+            _S319 = false;
         }
-        if(_S318)
+        if(_S319)
         {
         }
         else
         {
             break;
         }
-        var _S319 : bool = Walk_leave_0(this_44, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S319)
+        var _S320 : bool = Walk_leave_0(this_44, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S320)
         {
             return false;
         }
@@ -5068,13 +5049,13 @@ fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S316 = (all(((*voxel_13) < far_2)));
+        _S317 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S316 = false;
+        _S317 = false;
     }
-    return _S316;
+    return _S317;
 }
 
 fn LocalRay_octant_0( this_45 : LocalRay_0) -> u32
@@ -5103,16 +5084,16 @@ fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_1 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S320 : u32;
+    var _S321 : u32;
     if(code_2 < u32(2))
     {
-        _S320 = code_2 + u32(1);
+        _S321 = code_2 + u32(1);
     }
     else
     {
-        _S320 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S321 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S320;
+    return _S321;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5143,24 +5124,24 @@ fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S321 : i32;
+    var _S322 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S321 = i32(1);
+        _S322 = i32(1);
     }
     else
     {
-        _S321 = i32(0);
+        _S322 = i32(0);
     }
-    return u32(_S321);
+    return u32(_S322);
 }
 
 fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S322 : bool = Walk_leave_rounded_0(this_46, &((*voxel_15)), exit_4);
-        return _S322;
+        var _S323 : bool = Walk_leave_rounded_0(this_46, &((*voxel_15)), exit_4);
+        return _S323;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_46, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -5169,9 +5150,9 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S323 : bool = !is_x_2;
+    var _S324 : bool = !is_x_2;
     var is_y_2 : bool;
-    if(_S323)
+    if(_S324)
     {
         is_y_2 = (t_10.y) == t_first_2;
     }
@@ -5183,25 +5164,25 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
     var nearest_4 : vec3<f32> = round(back_1);
     var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
     var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S324 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S325 : vec3<bool> = (abs(from_nearest_3)) <= (this_46.tolerance_0);
-    var _S326 : bool;
-    if(_S323)
+    var _S325 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
+    var _S326 : vec3<bool> = (abs(from_nearest_3)) <= (this_46.tolerance_0);
+    var _S327 : bool;
+    if(_S324)
     {
-        _S326 = !is_y_2;
+        _S327 = !is_y_2;
     }
     else
     {
-        _S326 = false;
+        _S327 = false;
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S326), _S325)))))
+    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S327), _S326)))))
     {
         arrival_2 = Walk_mirrored_0(this_46, leave_box_0(this_46.ray_15, Walk_mirrored_0(this_46, (*voxel_15)) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, exit_4) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, planes_3) + this_46.grid_origin_0) - this_46.grid_origin_0);
     }
     else
     {
-        arrival_2 = _S324;
+        arrival_2 = _S325;
     }
     (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_46.speed_1) == vec3<f32>(0.0f));
     return true;
@@ -5209,17 +5190,17 @@ fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
 
 fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S327 : Walk_0 = walk_1;
-    var _S328 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S328;
+    var _S328 : Walk_0 = walk_1;
+    var _S329 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S329;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_9.min_1) - _S327.grid_origin_0, cell_of_0(grid_9.max_1) - _S327.grid_origin_0);
-    if(!_S329)
+    var _S330 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_9.min_1) - _S328.grid_origin_0, cell_of_0(grid_9.max_1) - _S328.grid_origin_0);
+    if(!_S330)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S327.ray_15);
-    var _S330 : u32 = flip_of_0(octant_3);
+    var octant_3 : u32 = LocalRay_octant_0(_S328.ray_15);
+    var _S331 : u32 = flip_of_0(octant_3);
     var top_shift_2 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
@@ -5230,33 +5211,33 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         top_shift_2 = grid_9.top_shift_0;
     }
     var top_size_1 : vec3<i32> = cell_of_0(grid_9.top_size_0);
-    var _S331 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S331, _S331 * top_size_1.y);
-    var _S332 : i32 = i32(grid_9.top_offset_0) - dot_cells_0((stride_0 & ((_S327.mirror_0))), vec3<i32>(i32(1)));
-    var _S333 : vec3<i32> = Walk_mirrored_plane_0(_S327, stride_0);
-    var _S334 : u32 = ahead_of_0(_S327.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S328, (_S327.mirror_0) != _S328);
+    var _S332 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S332, _S332 * top_size_1.y);
+    var _S333 : i32 = i32(grid_9.top_offset_0) - dot_cells_0((stride_0 & ((_S328.mirror_0))), vec3<i32>(i32(1)));
+    var _S334 : vec3<i32> = Walk_mirrored_plane_0(_S328, stride_0);
+    var _S335 : u32 = ahead_of_0(_S328.mirror_0);
+    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S329, (_S328.mirror_0) != _S329);
     if(!IS_EXACT_0)
     {
-        _S327.t_end_0 = min(_S327.t_end_0, min_element_0(Walk_crossings_0(_S327, end_0)));
+        _S328.t_end_0 = min(_S328.t_end_0, min_element_0(Walk_crossings_0(_S328, end_0)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S335 : bool;
+        var _S336 : bool;
         if(IS_EXACT_0)
         {
-            _S335 = (any((voxel_16 >= end_0)));
+            _S336 = (any((voxel_16 >= end_0)));
         }
         else
         {
-            _S335 = false;
+            _S336 = false;
         }
-        if(_S335)
+        if(_S336)
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S332 + dot_cells_0(_S333, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_13 : u32 = cell_word_0(u32(_S333 + dot_cells_0(_S334, (voxel_16 >> (vec3<u32>(top_shift_2))))));
         var cell_14 : u32;
         var shift_4 : u32;
         var is_found_4 : bool;
@@ -5264,7 +5245,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S330))));
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S331))));
                 shift_4 = u32(3);
             }
             else
@@ -5287,16 +5268,16 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                 {
                     is_found_4 = false;
                 }
-                var _S336 : bool;
+                var _S337 : bool;
                 if(is_found_4)
                 {
-                    _S336 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                    _S337 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S336 = false;
+                    _S337 = false;
                 }
-                if(_S336)
+                if(_S337)
                 {
                 }
                 else
@@ -5304,7 +5285,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S330))));
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S331))));
                 shift_4 = shift_5;
             }
         }
@@ -5321,7 +5302,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S334);
+                exit_5 = extents_0(cell_14, _S335);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
@@ -5338,7 +5319,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             {
                 blocks_1 = blocks_of_record_0(record_5);
             }
-            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_3, _S330);
+            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_3, _S331);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5348,15 +5329,15 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S337 : bool = Walk_leave_1(_S327, &(voxel_16), exit_5);
-        if(!_S337)
+        var _S338 : bool = Walk_leave_1(_S328, &(voxel_16), exit_5);
+        if(!_S338)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*found_1) = Walk_mirrored_0(_S327, voxel_16) + _S327.grid_origin_0;
+    (*found_1) = Walk_mirrored_0(_S328, voxel_16) + _S328.grid_origin_0;
     return is_found_3;
 }
 
@@ -5368,38 +5349,38 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
 
 fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> Hit_0
 {
-    var _S338 : vec3<f32>;
-    var _S339 : bool;
+    var _S339 : vec3<f32>;
+    var _S340 : bool;
     var last_5 : Crossing_0;
-    var _S340 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S341 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S338 = ray_21.direction_26;
+                _S339 = ray_21.direction_26;
                 if((ray_21.direction_26[u32(0)]) == 0.0f)
                 {
-                    last_5 = _S340;
+                    last_5 = _S341;
                     break;
                 }
                 var crossing_3 : Crossing_0 = crossing_of_0(ray_21, u32(0), voxel_17[u32(0)] + i32((ray_21.direction_26[u32(0)]) < 0.0f));
-                if((_S340.axis_1) == u32(3))
+                if((_S341.axis_1) == u32(3))
                 {
-                    _S339 = true;
+                    _S340 = true;
                 }
                 else
                 {
-                    _S339 = !Crossing_is_before_0(crossing_3, _S340);
+                    _S340 = !Crossing_is_before_0(crossing_3, _S341);
                 }
-                if(_S339)
+                if(_S340)
                 {
                     last_5 = crossing_3;
                 }
                 else
                 {
-                    last_5 = _S340;
+                    last_5 = _S341;
                 }
                 break;
             }
@@ -5409,21 +5390,21 @@ fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> 
         {
             for(;;)
             {
-                var _S341 : vec3<f32> = _S338;
-                if((_S338[u32(1)]) == 0.0f)
+                var _S342 : vec3<f32> = _S339;
+                if((_S339[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_21, u32(1), voxel_17[u32(1)] + i32((_S341[u32(1)]) < 0.0f));
+                var crossing_4 : Crossing_0 = crossing_of_0(ray_21, u32(1), voxel_17[u32(1)] + i32((_S342[u32(1)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
-                    _S339 = true;
+                    _S340 = true;
                 }
                 else
                 {
-                    _S339 = !Crossing_is_before_0(crossing_4, last_5);
+                    _S340 = !Crossing_is_before_0(crossing_4, last_5);
                 }
-                if(_S339)
+                if(_S340)
                 {
                     last_5 = crossing_4;
                 }
@@ -5435,21 +5416,21 @@ fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> 
         {
             for(;;)
             {
-                var _S342 : vec3<f32> = _S338;
-                if((_S338[u32(2)]) == 0.0f)
+                var _S343 : vec3<f32> = _S339;
+                if((_S339[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_21, u32(2), voxel_17[u32(2)] + i32((_S342[u32(2)]) < 0.0f));
+                var crossing_5 : Crossing_0 = crossing_of_0(ray_21, u32(2), voxel_17[u32(2)] + i32((_S343[u32(2)]) < 0.0f));
                 if((last_5.axis_1) == u32(3))
                 {
-                    _S339 = true;
+                    _S340 = true;
                 }
                 else
                 {
-                    _S339 = !Crossing_is_before_0(crossing_5, last_5);
+                    _S340 = !Crossing_is_before_0(crossing_5, last_5);
                 }
-                if(_S339)
+                if(_S340)
                 {
                     last_5 = crossing_5;
                 }
@@ -5459,42 +5440,42 @@ fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> 
         }
         break;
     }
-    var _S343 : Crossing_0 = last_5;
-    var is_negative_1 : bool = (_S338[last_5.axis_1]) < 0.0f;
+    var _S344 : Crossing_0 = last_5;
+    var is_negative_1 : bool = (_S339[last_5.axis_1]) < 0.0f;
     var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_21.origin_7[last_5.axis_1]) * ray_21.inverse_0[last_5.axis_1];
-    var _S344 : f32;
+    var _S345 : f32;
     if(t_11 > (ray_21.t_min_2))
     {
-        _S344 = t_11;
+        _S345 = t_11;
     }
     else
     {
-        _S344 = ray_21.t_min_2;
+        _S345 = ray_21.t_min_2;
     }
-    return Hit_x24init_0(_S344, instance_11, voxel_17, u32(2) * _S343.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S345, instance_11, voxel_17, u32(2) * _S344.axis_1 + u32(is_negative_1));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_12 : u32) -> Hit_0
 {
     var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
     var last_6 : f32 = max_element_0(t_12);
-    var _S345 : i32;
+    var _S346 : i32;
     if((t_12.z) == last_6)
     {
-        _S345 = i32(2);
+        _S346 = i32(2);
     }
     else
     {
         if((t_12.y) == last_6)
         {
-            _S345 = i32(1);
+            _S346 = i32(1);
         }
         else
         {
-            _S345 = i32(0);
+            _S346 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S345);
+    var axis_5 : u32 = u32(_S346);
     return Hit_x24init_0(max(last_6, walk_3.ray_15.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
 }
 
@@ -5505,20 +5486,20 @@ fn hit_in_0( instance_13 : u32,  ray_22 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S346 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
-    var walk_4 : Walk_0 = walk_of_0(local_4, _S346);
+    var _S347 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
+    var walk_4 : Walk_0 = walk_of_0(local_4, _S347);
     var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(_S346, walk_4, &(voxel_19));
-    var _S347 : bool;
+    var is_found_6 : bool = first_voxel_0(_S347, walk_4, &(voxel_19));
+    var _S348 : bool;
     if(IS_SINGLE_0)
     {
-        _S347 = !IS_EXACT_0;
+        _S348 = !IS_EXACT_0;
     }
     else
     {
-        _S347 = false;
+        _S348 = false;
     }
-    if(_S347)
+    if(_S348)
     {
         (*ray_22) = ray_of_walk_0(walk_4, (*ray_22));
     }
@@ -5557,22 +5538,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
 {
-    var _S348 : u32 = u32(2) * index_29;
-    var _S349 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S348);
-    var _S350 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S348 + u32(1));
+    var _S349 : u32 = u32(2) * index_29;
+    var _S350 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S349);
+    var _S351 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S349 + u32(1));
     var node_12 : InstanceNode_0;
-    var _S351 : f32 = (bitcast<f32>((_S349.y)));
-    var _S352 : f32 = (bitcast<f32>((_S349.z)));
-    node_12.min_2[i32(0)] = (bitcast<f32>((_S349.x)));
-    node_12.min_2[i32(1)] = _S351;
-    node_12.min_2[i32(2)] = _S352;
-    node_12.index_28 = _S349.w;
-    var _S353 : f32 = (bitcast<f32>((_S350.y)));
-    var _S354 : f32 = (bitcast<f32>((_S350.z)));
-    node_12.max_2[i32(0)] = (bitcast<f32>((_S350.x)));
-    node_12.max_2[i32(1)] = _S353;
-    node_12.max_2[i32(2)] = _S354;
-    node_12.is_leaf_0 = _S350.w;
+    var _S352 : f32 = (bitcast<f32>((_S350.y)));
+    var _S353 : f32 = (bitcast<f32>((_S350.z)));
+    node_12.min_2[i32(0)] = (bitcast<f32>((_S350.x)));
+    node_12.min_2[i32(1)] = _S352;
+    node_12.min_2[i32(2)] = _S353;
+    node_12.index_28 = _S350.w;
+    var _S354 : f32 = (bitcast<f32>((_S351.y)));
+    var _S355 : f32 = (bitcast<f32>((_S351.z)));
+    node_12.max_2[i32(0)] = (bitcast<f32>((_S351.x)));
+    node_12.max_2[i32(1)] = _S354;
+    node_12.max_2[i32(2)] = _S355;
+    node_12.is_leaf_0 = _S351.w;
     return node_12;
 }
 
@@ -5580,17 +5561,17 @@ fn entry_0( node_13 : InstanceNode_0,  ray_23 : Ray_0,  inverse_2 : vec3<f32>) -
 {
     var low_12 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_23.origin_1) * inverse_2;
     var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_23.origin_1) * inverse_2;
-    var _S355 : f32 = max(ray_23.t_min_0, max_element_0(min(low_12, high_5)));
-    var _S356 : f32;
-    if(_S355 <= (min(ray_23.t_max_0, min_element_0(max(low_12, high_5)))))
+    var _S356 : f32 = max(ray_23.t_min_0, max_element_0(min(low_12, high_5)));
+    var _S357 : f32;
+    if(_S356 <= (min(ray_23.t_max_0, min_element_0(max(low_12, high_5)))))
     {
-        _S356 = _S355;
+        _S357 = _S356;
     }
     else
     {
-        _S356 = (bitcast<f32>(infinity_bits_0));
+        _S357 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S356;
+    return _S357;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
@@ -5598,8 +5579,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S357 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S357;
+        var _S358 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S358;
     }
     var ray_24 : Ray_0 = (*given_0);
     var nearest_5 : Hit_0 = miss_0();
@@ -5608,15 +5589,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         return nearest_5;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S358 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S359 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S359 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S360 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S360 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S361 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S360;
+    var is_leaf_2 : bool = _S361;
     var index_30 : u32 = u32(0);
-    var below_1 : u32 = _S359.index_28;
+    var below_1 : u32 = _S360.index_28;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -5626,16 +5607,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S361 : bool;
+            var _S362 : bool;
             if(is_done_1)
             {
-                _S361 = depth_1 > u32(0);
+                _S362 = depth_1 > u32(0);
             }
             else
             {
-                _S361 = !is_leaf_2;
+                _S362 = !is_leaf_2;
             }
-            if(_S361)
+            if(_S362)
             {
             }
             else
@@ -5646,25 +5627,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S362 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S363 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S363 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S364 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_24.t_max_0);
-                is_leaf_1 = _S363;
+                is_leaf_1 = _S364;
                 index_31 = stack_0[depth_2];
-                below_2 = _S362.index_28;
+                below_2 = _S363.index_28;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S364 : u32 = index_30 + u32(1);
-                var _S365 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S364);
-                var _S366 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S365, ray_24, _S358);
-                var to_right_0 : f32 = entry_0(_S366, ray_24, _S358);
+                var _S365 : u32 = index_30 + u32(1);
+                var _S366 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S365);
+                var _S367 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S366, ray_24, _S359);
+                var to_right_0 : f32 = entry_0(_S367, ray_24, _S359);
                 var is_left_4 : bool = to_left_0 <= to_right_0;
-                var _S367 : f32 = max(to_left_0, to_right_0);
+                var _S368 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S367 < INFINITY_0)
+                if(_S368 < INFINITY_0)
                 {
                     if(is_left_4)
                     {
@@ -5672,51 +5653,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
                     }
                     else
                     {
-                        index_31 = _S364;
+                        index_31 = _S365;
                     }
                     stack_0[depth_1] = index_31;
-                    entries_0[depth_1] = _S367;
+                    entries_0[depth_1] = _S368;
                     index_31 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_31 = depth_1;
                 }
-                var _S368 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S369 : u32;
-                if(is_left_4)
-                {
-                    _S369 = _S364;
-                }
-                else
-                {
-                    _S369 = below_2;
-                }
+                var _S369 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
                 var _S370 : u32;
                 if(is_left_4)
                 {
-                    _S370 = _S365.index_28;
+                    _S370 = _S365;
                 }
                 else
                 {
-                    _S370 = _S366.index_28;
+                    _S370 = below_2;
                 }
                 var _S371 : u32;
                 if(is_left_4)
                 {
-                    _S371 = _S365.is_leaf_0;
+                    _S371 = _S366.index_28;
                 }
                 else
                 {
-                    _S371 = _S366.is_leaf_0;
+                    _S371 = _S367.index_28;
                 }
-                var _S372 : bool = _S371 != u32(0);
-                var _S373 : u32 = index_31;
-                is_done_1 = _S368;
-                is_leaf_1 = _S372;
-                index_31 = _S369;
-                below_2 = _S370;
-                depth_1 = _S373;
+                var _S372 : u32;
+                if(is_left_4)
+                {
+                    _S372 = _S366.is_leaf_0;
+                }
+                else
+                {
+                    _S372 = _S367.is_leaf_0;
+                }
+                var _S373 : bool = _S372 != u32(0);
+                var _S374 : u32 = index_31;
+                is_done_1 = _S369;
+                is_leaf_1 = _S373;
+                index_31 = _S370;
+                below_2 = _S371;
+                depth_1 = _S374;
             }
             is_leaf_2 = is_leaf_1;
             index_30 = index_31;
@@ -5725,17 +5706,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         {
             break;
         }
-        var _S374 : Hit_0 = hit_in_0(below_2, &(ray_24));
-        var _S375 : Hit_0 = nearest_6;
-        if((_S374.t_0) < (nearest_6.t_0))
+        var _S375 : Hit_0 = hit_in_0(below_2, &(ray_24));
+        var _S376 : Hit_0 = nearest_6;
+        if((_S375.t_0) < (nearest_6.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S374.t_0) == (_S375.t_0))
+            if((_S375.t_0) == (_S376.t_0))
             {
-                is_leaf_1 = (_S374.instance_1) < (nearest_6.instance_1);
+                is_leaf_1 = (_S375.instance_1) < (nearest_6.instance_1);
             }
             else
             {
@@ -5744,12 +5725,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         if(is_leaf_1)
         {
-            ray_24.t_max_0 = _S374.t_0;
+            ray_24.t_max_0 = _S375.t_0;
             if(is_any_enough_0)
             {
-                return _S374;
+                return _S375;
             }
-            nearest_6 = _S374;
+            nearest_6 = _S375;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -5760,18 +5741,36 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
 
 fn WalkTracer_trace_0( ray_25 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S376 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_1, u32(0));
-    return _S376;
+    var _S377 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_1, u32(0));
+    return _S377;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_26 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S377 : Hit_0 = WalkTracer_trace_0(&((*ray_26)), is_shadow_ray_1);
-    return _S377;
+    var _S378 : Hit_0 = WalkTracer_trace_0(&((*ray_26)), is_shadow_ray_1);
+    return _S378;
 }
 
-fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_10 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
+fn goes_on_4( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
+{
+    var beyond_10 : u32 = u32(4294967295);
+    var _S379 : Ray_0 = (*at_10).ray_10;
+    var _S380 : Path_0 = (*at_10).path_7;
+    var _S381 : Inside_0 = (*at_10).shadow_inside_2;
+    var _S382 : bool = (*at_10).relocates_2;
+    var _S383 : bool = (*at_10).path_relocates_2;
+    var _S384 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S379), false, &(_S380), &(_S381), &(_S382), &(_S383), &(beyond_10));
+    (*at_10).ray_10 = _S379;
+    (*at_10).path_7 = _S380;
+    (*at_10).shadow_inside_2 = _S381;
+    (*at_10).relocates_2 = _S382;
+    (*at_10).path_relocates_2 = _S383;
+    var _S385 : bool = goes_on_from_0(&((*at_10)), _S384, beyond_10, &((*sample_13)));
+    return _S385;
+}
+
+fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_11 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
 {
     if(Hit_is_miss_0(hit_15))
     {
@@ -5780,86 +5779,46 @@ fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond
     return false;
 }
 
-fn goes_on_5( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
+fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S378 : Hit_0 = miss_0();
-    var beyond_11 : u32 = u32(4294967295);
-    var hit_16 : Hit_0;
-    if(!(*at_10).is_at_cell_0)
-    {
-        var _S379 : Ray_0 = (*at_10).ray_10;
-        var _S380 : Path_0 = (*at_10).path_7;
-        var _S381 : Inside_0 = (*at_10).shadow_inside_2;
-        var _S382 : bool = (*at_10).relocates_2;
-        var _S383 : bool = (*at_10).path_relocates_2;
-        var _S384 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S379), (*at_10).is_shadow_ray_0, &(_S380), &(_S381), &(_S382), &(_S383), &(beyond_11));
-        (*at_10).ray_10 = _S379;
-        (*at_10).path_7 = _S380;
-        (*at_10).shadow_inside_2 = _S381;
-        (*at_10).relocates_2 = _S382;
-        (*at_10).path_relocates_2 = _S383;
-        if((*at_10).is_shadow_ray_0)
-        {
-            var _S385 : vec3<f32> = (*sample_13).light_6;
-            var _S386 : bool = Walker_arrives_0(&((*at_10)), _S384, beyond_11, &(_S385));
-            (*sample_13).light_6 = _S385;
-            (*at_10).is_shadow_ray_0 = _S386;
-            if(_S386)
-            {
-                return true;
-            }
-            (*at_10).ray_10 = ray_from_0((*at_10).ray_10.origin_1, (*at_10).direction_25);
-            return (any((((*at_10).direction_25) != vec3<f32>(0.0f))));
-        }
-        hit_16 = _S384;
-    }
-    else
-    {
-        hit_16 = _S378;
-    }
-    var _S387 : bool = goes_on_from_0(&((*at_10)), hit_16, beyond_11, &((*sample_13)));
-    return _S387;
-}
-
-fn goes_on_6( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
-{
-    var _S388 : Hit_0 = miss_0();
+    var _S386 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
-    var hit_17 : Hit_0;
+    var _S387 : bool = (*at_11).is_shadow_ray_0;
+    var hit_16 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S389 : Ray_0 = (*at_11).ray_10;
-        var _S390 : Path_0 = (*at_11).path_7;
-        var _S391 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S392 : bool = (*at_11).relocates_2;
-        var _S393 : bool = (*at_11).path_relocates_2;
-        var _S394 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S389), (*at_11).is_shadow_ray_0, &(_S390), &(_S391), &(_S392), &(_S393), &(beyond_12));
-        (*at_11).ray_10 = _S389;
-        (*at_11).path_7 = _S390;
-        (*at_11).shadow_inside_2 = _S391;
-        (*at_11).relocates_2 = _S392;
-        (*at_11).path_relocates_2 = _S393;
-        if((*at_11).is_shadow_ray_0)
+        var _S388 : Ray_0 = (*at_11).ray_10;
+        var _S389 : Path_0 = (*at_11).path_7;
+        var _S390 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S391 : bool = (*at_11).relocates_2;
+        var _S392 : bool = (*at_11).path_relocates_2;
+        var _S393 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S388), _S387, &(_S389), &(_S390), &(_S391), &(_S392), &(beyond_12));
+        (*at_11).ray_10 = _S388;
+        (*at_11).path_7 = _S389;
+        (*at_11).shadow_inside_2 = _S390;
+        (*at_11).relocates_2 = _S391;
+        (*at_11).path_relocates_2 = _S392;
+        if(_S387)
         {
-            var _S395 : vec3<f32> = (*sample_14).light_6;
-            var _S396 : bool = Walker_arrives_0(&((*at_11)), _S394, beyond_12, &(_S395));
-            (*sample_14).light_6 = _S395;
-            (*at_11).is_shadow_ray_0 = _S396;
-            if(_S396)
+            var _S394 : vec3<f32> = (*sample_14).light_6;
+            var _S395 : bool = Walker_arrives_0(&((*at_11)), _S393, beyond_12, &(_S394));
+            (*sample_14).light_6 = _S394;
+            (*at_11).is_shadow_ray_0 = _S395;
+            if(_S395)
             {
                 return true;
             }
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_17 = _S394;
+        hit_16 = _S393;
     }
     else
     {
-        hit_17 = _S388;
+        hit_16 = _S386;
     }
-    var _S397 : bool = goes_on_from_1(&((*at_11)), hit_17, beyond_12, &((*sample_14)));
-    return _S397;
+    var _S396 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
+    return _S396;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5869,11 +5828,11 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S398 : Sampler_0;
-    _S398.seed_1 = seed_3;
-    _S398.pixel_0 = pixel_1;
-    _S398.sample_0 = sample_15;
-    return _S398;
+    var _S397 : Sampler_0;
+    _S397.seed_1 = seed_3;
+    _S397.pixel_0 = pixel_1;
+    _S397.sample_0 = sample_15;
+    return _S397;
 }
 
 struct Item_0
@@ -5888,14 +5847,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_6 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S399 : Item_0;
-    _S399.traces_0 = traces_1;
-    _S399.kind_2 = kind_3;
-    _S399.at_12 = at_13;
-    _S399.place_5 = place_6;
-    _S399.slot_0 = slot_1;
-    _S399.sampler_3 = sampler_4;
-    return _S399;
+    var _S398 : Item_0;
+    _S398.traces_0 = traces_1;
+    _S398.kind_2 = kind_3;
+    _S398.at_12 = at_13;
+    _S398.place_5 = place_6;
+    _S398.slot_0 = slot_1;
+    _S398.sampler_3 = sampler_4;
+    return _S398;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5949,58 +5908,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S400 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S400;
+        var _S399 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S399;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S401 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S401);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S401 + real_time_0.number_0) & (u32(1))));
+    var _S400 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S400);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S400 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S402 : vec2<u32> = vec2<u32>(u32(5));
-    var _S403 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S402 - vec2<u32>(u32(1))) / _S402;
-    return _S403;
+    var _S401 : vec2<u32> = vec2<u32>(u32(5));
+    var _S402 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S401 - vec2<u32>(u32(1))) / _S401;
+    return _S402;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S404 : u32 = square_1 % columns_1;
-    var _S405 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S404, _S405);
-    var _S406 : vec2<u32> = vec2<u32>(u32(5));
-    var _S407 : vec2<u32> = at_15 * _S406;
-    var _S408 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S406;
-    return min(_S407 + _S408, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S403 : u32 = square_1 % columns_1;
+    var _S404 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S403, _S404);
+    var _S405 : vec2<u32> = vec2<u32>(u32(5));
+    var _S406 : vec2<u32> = at_15 * _S405;
+    var _S407 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S405;
+    return min(_S406 + _S407, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S409 : bool;
+    var _S408 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S409 = (at_16.x) < i32(params_0.width_0);
+        _S408 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S409 = false;
+        _S408 = false;
     }
-    if(_S409)
+    if(_S408)
     {
-        _S409 = (at_16.y) < i32(params_0.height_0);
+        _S408 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S409 = false;
+        _S408 = false;
     }
-    return _S409;
+    return _S408;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -6022,23 +5981,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S410 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S411 : bool = number_4 < _S410;
-        item_0.traces_0 = _S411;
-        if(_S411)
+        var _S409 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S410 : bool = number_4 < _S409;
+        item_0.traces_0 = _S410;
+        if(_S410)
         {
-            var _S412 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_5 = _S412;
+            var _S411 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_5 = _S411;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_5 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_1(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S413 : u32 = number_4 - cells_2;
-    var _S414 : vec2<u32> = pixel_that_traces_0(_S413);
-    item_0.at_12 = _S414;
-    var square_3 : u32 = _S413 - pixels_1;
+    var _S412 : u32 = number_4 - cells_2;
+    var _S413 : vec2<u32> = pixel_that_traces_0(_S412);
+    item_0.at_12 = _S413;
+    var square_3 : u32 = _S412 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6067,102 +6026,102 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S415 : u32;
+    var _S414 : u32;
     if(is_again_0)
     {
-        _S415 = u32(3);
+        _S414 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S415 = u32(2);
+            _S414 = u32(2);
         }
         else
         {
-            _S415 = u32(1);
+            _S414 = u32(1);
         }
     }
-    item_0.kind_2 = _S415;
+    item_0.kind_2 = _S414;
     if(is_square_0)
     {
-        var _S416 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S416;
+        var _S415 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S415;
     }
-    var _S417 : bool;
+    var _S416 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S415 = real_time_0.again_0;
+            _S414 = real_time_0.again_0;
         }
         else
         {
-            _S415 = count_7;
+            _S414 = count_7;
         }
-        _S417 = square_4 < _S415;
+        _S416 = square_4 < _S414;
     }
     else
     {
-        _S417 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S416 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S417;
+    item_0.traces_0 = _S416;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S415 = u32(2);
+            _S414 = u32(2);
         }
         else
         {
-            _S415 = (frame_0 & (u32(1)));
+            _S414 = (frame_0 & (u32(1)));
         }
-        _S415 = place_of_square_0(_S415, square_4);
+        _S414 = place_of_square_0(_S414, square_4);
     }
     else
     {
-        _S415 = index_of_0(item_0.at_12);
+        _S414 = index_of_0(item_0.at_12);
     }
-    item_0.place_5 = _S415;
+    item_0.place_5 = _S414;
     if(is_square_0)
     {
-        _S415 = real_time_0.pixels_0 + square_4;
+        _S414 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S415 = item_0.place_5;
+        _S414 = item_0.place_5;
     }
-    item_0.slot_0 = _S415;
-    var _S418 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S414;
+    var _S417 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S415 = u32(3266489909);
+        _S414 = u32(3266489909);
     }
     else
     {
-        _S415 = u32(2654435769);
+        _S414 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S418 ^ (_S415)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S417 ^ (_S414)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_7 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    var _S419 : Sample_0;
-    _S419.direct_0 = direct_1;
-    _S419.light_6 = light_10;
-    _S419.is_shown_0 = is_shown_1;
-    _S419.albedo_0 = albedo_1;
-    _S419.normal_4 = normal_5;
-    _S419.place_3 = place_7;
-    _S419.instance_8 = instance_14;
-    return _S419;
+    var _S418 : Sample_0;
+    _S418.direct_0 = direct_1;
+    _S418.light_6 = light_10;
+    _S418.is_shown_0 = is_shown_1;
+    _S418.albedo_0 = albedo_1;
+    _S418.normal_4 = normal_5;
+    _S418.place_3 = place_7;
+    _S418.instance_8 = instance_14;
+    return _S418;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S420 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S420, _S420, false, _S420, _S420, _S420, u32(4294967295));
+    var _S419 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S419, _S419, false, _S419, _S419, _S419, u32(4294967295));
 }
 
 fn Item_is_cell_0( this_50 : Item_0) -> bool
@@ -6172,28 +6131,28 @@ fn Item_is_cell_0( this_50 : Item_0) -> bool
 
 fn Key_voxel_0( this_51 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S421 : u32 = Key_level_0(this_51);
-    var bits_4 : u32 = ((u32(1) << (_S421))) - u32(1);
+    var _S420 : u32 = Key_level_0(this_51);
+    var bits_4 : u32 = ((u32(1) << (_S420))) - u32(1);
     var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_51)))))));
-    return (((this_51.cube_0) << (vec3<u32>(u32(i32(_S421)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S421))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S421)))) & (bits_4))));
+    return (((this_51.cube_0) << (vec3<u32>(u32(i32(_S420)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S420))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S420)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S422 : Path_0;
-    _S422.sampler_0 = sampler_5;
-    _S422.bounce_0 = bounce_3;
-    _S422.event_0 = event_2;
-    _S422.kinds_0 = kinds_1;
-    _S422.scattered_0 = scattered_4;
-    _S422.beta_0 = beta_1;
-    _S422.pdf_1 = pdf_12;
-    _S422.normal_0 = normal_6;
-    _S422.selection_0 = selection_4;
-    _S422.passed_t_0 = passed_t_1;
-    _S422.inside_0 = inside_6;
-    _S422.is_clipped_0 = is_clipped_1;
-    return _S422;
+    var _S421 : Path_0;
+    _S421.sampler_0 = sampler_5;
+    _S421.bounce_0 = bounce_3;
+    _S421.event_0 = event_2;
+    _S421.kinds_0 = kinds_1;
+    _S421.scattered_0 = scattered_4;
+    _S421.beta_0 = beta_1;
+    _S421.pdf_1 = pdf_12;
+    _S421.normal_0 = normal_6;
+    _S421.selection_0 = selection_4;
+    _S421.passed_t_0 = passed_t_1;
+    _S421.inside_0 = inside_6;
+    _S421.is_clipped_0 = is_clipped_1;
+    return _S421;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6203,9 +6162,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S423 : f32 = z_1.z;
+    var _S422 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S423 < 0.0f)
+    if(_S422 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -6213,12 +6172,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_1 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_1 + _S423);
-    var _S424 : f32 = z_1.x;
-    var _S425 : f32 = z_1.y;
-    var b_6 : f32 = _S424 * _S425 * a_6;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S424 * _S424 * a_6, sign_1 * b_6, - sign_1 * _S424);
-    (*y_5) = vec3<f32>(b_6, sign_1 + _S425 * _S425 * a_6, - _S425);
+    var a_6 : f32 = divide_0(-1.0f, sign_1 + _S422);
+    var _S423 : f32 = z_1.x;
+    var _S424 : f32 = z_1.y;
+    var b_6 : f32 = _S423 * _S424 * a_6;
+    (*x_10) = vec3<f32>(1.0f + sign_1 * _S423 * _S423 * a_6, sign_1 * b_6, - sign_1 * _S423);
+    (*y_5) = vec3<f32>(b_6, sign_1 + _S424 * _S424 * a_6, - _S424);
     return;
 }
 
@@ -6229,41 +6188,41 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S426 : f32 = local_5.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S426);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S426);
+    var _S425 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S425);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S425);
 }
 
 fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
 {
-    var _S427 : Surface_0;
-    _S427.origin_3 = origin_11;
-    _S427.normal_2 = normal_8;
-    _S427.face_1 = face_10;
-    _S427.instance_3 = instance_15;
-    return _S427;
+    var _S426 : Surface_0;
+    _S426.origin_3 = origin_11;
+    _S426.normal_2 = normal_8;
+    _S426.face_1 = face_10;
+    _S426.instance_3 = instance_15;
+    return _S426;
 }
 
 fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S428 : Walker_0;
-    _S428.path_7 = path_11;
-    _S428.ray_10 = ray_27;
-    _S428.is_shadow_ray_0 = is_shadow_ray_2;
-    _S428.light_5 = light_11;
-    _S428.direction_25 = direction_28;
-    _S428.path_origin_2 = path_origin_3;
-    _S428.shadow_inside_2 = shadow_inside_4;
-    _S428.boundaries_0 = boundaries_1;
-    _S428.relocates_2 = relocates_4;
-    _S428.path_relocates_2 = path_relocates_4;
-    _S428.camera_ray_0 = camera_ray_1;
-    _S428.way_2 = way_6;
-    _S428.has_shown_0 = has_shown_1;
-    _S428.asks_cache_0 = asks_cache_1;
-    _S428.life_0 = life_2;
-    _S428.is_at_cell_0 = is_at_cell_1;
-    return _S428;
+    var _S427 : Walker_0;
+    _S427.path_7 = path_11;
+    _S427.ray_10 = ray_27;
+    _S427.is_shadow_ray_0 = is_shadow_ray_2;
+    _S427.light_5 = light_11;
+    _S427.direction_25 = direction_28;
+    _S427.path_origin_2 = path_origin_3;
+    _S427.shadow_inside_2 = shadow_inside_4;
+    _S427.boundaries_0 = boundaries_1;
+    _S427.relocates_2 = relocates_4;
+    _S427.path_relocates_2 = path_relocates_4;
+    _S427.camera_ray_0 = camera_ray_1;
+    _S427.way_2 = way_6;
+    _S427.has_shown_0 = has_shown_1;
+    _S427.asks_cache_0 = asks_cache_1;
+    _S427.life_0 = life_2;
+    _S427.is_at_cell_0 = is_at_cell_1;
+    return _S427;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
@@ -6271,7 +6230,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var face_11 : u32 = ((key_3.face_and_level_0) & (u32(7)));
     var axis_6 : u32 = (face_11 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S429 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S428 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6288,13 +6247,13 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S430 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S430.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S430.grid_from_world_0.translation_0), _S429, face_11, _S429 + on_face_1));
-    var normal_9 : vec3<f32> = world_normal_0(_S430, face_11);
+    var _S429 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
+    var origin_12 : vec3<f32> = Transform_point_0(_S429.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S429.grid_from_world_0.translation_0), _S428, face_11, _S428 + on_face_1));
+    var normal_9 : vec3<f32> = world_normal_0(_S429, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S431 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S431));
-    path_12.pdf_1 = _S431;
+    var _S430 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S430));
+    path_12.pdf_1 = _S430;
     var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_12, normal_9);
     path_12.selection_0 = Lights_selection_0(receiver_20);
     path_12.normal_0 = normal_9;
@@ -6324,16 +6283,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S432 : CameraFrame_0;
-    _S432.lens_1 = lens_2;
-    _S432.eye_2 = eye_3;
-    _S432.corner_2 = corner_3;
-    _S432.pixel_x_1 = pixel_x_2;
-    _S432.pixel_y_1 = pixel_y_2;
-    _S432.lens_x_1 = lens_x_2;
-    _S432.lens_y_1 = lens_y_2;
-    _S432.blades_1 = blades_2;
-    return _S432;
+    var _S431 : CameraFrame_0;
+    _S431.lens_1 = lens_2;
+    _S431.eye_2 = eye_3;
+    _S431.corner_2 = corner_3;
+    _S431.pixel_x_1 = pixel_x_2;
+    _S431.pixel_y_1 = pixel_y_2;
+    _S431.lens_x_1 = lens_x_2;
+    _S431.lens_y_1 = lens_y_2;
+    _S431.blades_1 = blades_2;
+    return _S431;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6345,23 +6304,23 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_52 : Item_0) -> bool
 {
-    var _S433 : bool;
+    var _S432 : bool;
     if(Item_is_cell_0(this_52))
     {
-        _S433 = true;
+        _S432 = true;
     }
     else
     {
         if((this_52.kind_2) == u32(1))
         {
-            _S433 = has_0(u32(1));
+            _S432 = has_0(u32(1));
         }
         else
         {
-            _S433 = false;
+            _S432 = false;
         }
     }
-    return _S433;
+    return _S432;
 }
 
 struct Perspective_0
@@ -6374,12 +6333,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S434 : Perspective_0;
-    _S434.eye_4 = eye_5;
-    _S434.corner_4 = corner_5;
-    _S434.pixel_x_3 = pixel_x_4;
-    _S434.pixel_y_3 = pixel_y_4;
-    return _S434;
+    var _S433 : Perspective_0;
+    _S433.eye_4 = eye_5;
+    _S433.corner_4 = corner_5;
+    _S433.pixel_x_3 = pixel_x_4;
+    _S433.pixel_y_3 = pixel_y_4;
+    return _S433;
 }
 
 struct Axes_0
@@ -6391,11 +6350,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S435 : Axes_0;
-    _S435.forward_0 = forward_1;
-    _S435.right_3 = right_4;
-    _S435.up_0 = up_1;
-    return _S435;
+    var _S434 : Axes_0;
+    _S434.forward_0 = forward_1;
+    _S434.right_3 = right_4;
+    _S434.up_0 = up_1;
+    return _S434;
 }
 
 struct ThinLens_0
@@ -6408,28 +6367,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S436 : ThinLens_0;
-    _S436.perspective_0 = perspective_1;
-    _S436.lens_x_3 = lens_x_4;
-    _S436.lens_y_3 = lens_y_4;
-    _S436.blades_3 = blades_4;
-    return _S436;
+    var _S435 : ThinLens_0;
+    _S435.perspective_0 = perspective_1;
+    _S435.lens_x_3 = lens_x_4;
+    _S435.lens_y_3 = lens_y_4;
+    _S435.blades_3 = blades_4;
+    return _S435;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_7 : f32 = 2.0f * square_5.x - 1.0f;
     var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S437 : bool;
+    var _S436 : bool;
     if(a_7 == 0.0f)
     {
-        _S437 = b_7 == 0.0f;
+        _S436 = b_7 == 0.0f;
     }
     else
     {
-        _S437 = false;
+        _S436 = false;
     }
-    if(_S437)
+    if(_S436)
     {
         return vec2<f32>(0.0f);
     }
@@ -6456,7 +6415,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S438 : f32 = abs(radius_4);
+    var _S437 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6465,7 +6424,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S438, radius_4);
+    return vec2<f32>(_S437, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6483,9 +6442,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S439 : f32 = from_0.y;
-    var _S440 : f32 = from_0.x;
-    return vec2<f32>(_S439 + (to_0.y - _S439) * share_7, _S440 + (to_0.x - _S440) * share_7) * vec2<f32>(radius_5);
+    var _S438 : f32 = from_0.y;
+    var _S439 : f32 = from_0.x;
+    return vec2<f32>(_S438 + (to_0.y - _S438) * share_7, _S439 + (to_0.x - _S439) * share_7) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_53 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6505,12 +6464,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S441 : Orthographic_0;
-    _S441.corner_6 = corner_7;
-    _S441.pixel_x_5 = pixel_x_6;
-    _S441.pixel_y_5 = pixel_y_6;
-    _S441.forward_2 = forward_3;
-    return _S441;
+    var _S440 : Orthographic_0;
+    _S440.corner_6 = corner_7;
+    _S440.pixel_x_5 = pixel_x_6;
+    _S440.pixel_y_5 = pixel_y_6;
+    _S440.forward_2 = forward_3;
+    return _S440;
 }
 
 fn Orthographic_ray_0( this_54 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6528,12 +6487,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S442 : Panorama_0;
-    _S442.eye_6 = eye_7;
-    _S442.axes_1 = axes_2;
-    _S442.inverse_size_0 = inverse_size_1;
-    _S442.half_eye_distance_0 = half_eye_distance_1;
-    return _S442;
+    var _S441 : Panorama_0;
+    _S441.eye_6 = eye_7;
+    _S441.axes_1 = axes_2;
+    _S441.inverse_size_0 = inverse_size_1;
+    _S441.half_eye_distance_0 = half_eye_distance_1;
+    return _S441;
 }
 
 fn Panorama_ray_0( this_55 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6560,9 +6519,9 @@ fn Panorama_ray_0( this_55 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_55.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S443 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S444 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_55.eye_6 + (this_55.axes_1.forward_0 * _S444 - this_55.axes_1.right_3 * _S443) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_55.axes_1.forward_0 * _S443 + this_55.axes_1.right_3 * _S444) * vec3<f32>(height_2.x) + this_55.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S442 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S443 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_55.eye_6 + (this_55.axes_1.forward_0 * _S443 - this_55.axes_1.right_3 * _S442) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_55.axes_1.forward_0 * _S442 + this_55.axes_1.right_3 * _S443) * vec3<f32>(height_2.x) + this_55.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6575,12 +6534,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S445 : Fisheye_0;
-    _S445.eye_8 = eye_9;
-    _S445.axes_3 = axes_4;
-    _S445.middle_1 = middle_2;
-    _S445.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S445;
+    var _S444 : Fisheye_0;
+    _S444.eye_8 = eye_9;
+    _S444.axes_3 = axes_4;
+    _S444.middle_1 = middle_2;
+    _S444.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S444;
 }
 
 fn Fisheye_ray_0( this_56 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6644,8 +6603,8 @@ fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
     var ray_29 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
-    var _S446 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S446, _S446, _S446, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false);
+    var _S445 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6659,10 +6618,10 @@ fn Item_start_0( this_59 : Item_0) -> Walker_0
     {
         var rank_7 : u32;
         var key_4 : Key_0 = Item_key_0(this_59, &(rank_7));
-        var _S447 : Walker_0 = at_cell_0(key_4, rank_7, this_59.sampler_3);
-        return _S447;
+        var _S446 : Walker_0 = at_cell_0(key_4, rank_7, this_59.sampler_3);
+        return _S446;
     }
-    var _S448 : CameraFrame_0 = FrameParams_camera_0();
+    var _S447 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_59.kind_2) == u32(3))
     {
@@ -6670,15 +6629,15 @@ fn Item_start_0( this_59 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S448;
+        camera_2 = _S447;
     }
     return at_camera_0(this_59.at_12, camera_2, this_59.sampler_3, Item_asks_cache_0(this_59));
 }
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
 {
-    var _S449 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S449.x) & (u32(1023)))) | (((((u32(_S449.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S449.z) & (u32(1023)))) << (u32(20))))));
+    var _S448 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S448.x) & (u32(1023)))) | (((((u32(_S448.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S448.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
@@ -6689,17 +6648,17 @@ fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
 
 fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 {
-    var _S450 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S451 : u32;
+    var _S449 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S450 : u32;
     if(sample_16.is_shown_0)
     {
-        _S451 = u32(1073741824);
+        _S450 = u32(1073741824);
     }
     else
     {
-        _S451 = u32(0);
+        _S450 = u32(0);
     }
-    var normal_11 : u32 = (_S450 | (_S451));
+    var normal_11 : u32 = (_S449 | (_S450));
     set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
     set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
     set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
@@ -6712,16 +6671,16 @@ fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S452 : f32;
+    var _S451 : f32;
     if(sample_17.is_shown_0)
     {
-        _S452 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S451 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S452 = 0.0f;
+        _S451 = 0.0f;
     }
-    return _S452;
+    return _S451;
 }
 
 fn Item_end_0( this_60 : Item_0,  sample_18 : Sample_0)
@@ -6752,8 +6711,8 @@ fn follow_0( item_1 : Item_0)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S453 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S453;
+        var _S452 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S452;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6769,8 +6728,8 @@ fn follow_0( item_1 : Item_0)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S454 : bool = goes_on_6(&(at_18), &(sample_19));
-            is_under_way_0 = _S454;
+            var _S453 : bool = goes_on_5(&(at_18), &(sample_19));
+            is_under_way_0 = _S453;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6787,8 +6746,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S455 : Item_0 = item_of_0(id_0.x);
-    follow_0(_S455);
+    var _S454 : Item_0 = item_of_0(id_0.x);
+    follow_0(_S454);
     return;
 }
 
@@ -6798,12 +6757,13 @@ fn trace_left(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S456 : u32 = id_1.x;
-    var _S457 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
-    if(_S456 < _S457)
+    var _S455 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
+    var number_5 : u32 = _S455 + id_1.x;
+    var _S456 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
+    if(number_5 < _S456)
     {
-        var _S458 : Item_0 = item_of_0(rest_0[_S456]);
-        follow_0(_S458);
+        var _S457 : Item_0 = item_of_0(rest_0[number_5]);
+        follow_0(_S457);
     }
     return;
 }
@@ -6814,8 +6774,8 @@ fn trace_before(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S459 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
-    follow_0(_S459);
+    var _S458 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
+    follow_0(_S458);
     return;
 }
 
@@ -6829,18 +6789,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S460 : Lit_0;
-    _S460.paths_0 = paths_1;
-    _S460.light_12 = light_13;
-    _S460.shaded_0 = shaded_1;
-    _S460.moments_0 = moments_1;
-    return _S460;
+    var _S459 : Lit_0;
+    _S459.paths_0 = paths_1;
+    _S459.light_12 = light_13;
+    _S459.shaded_0 = shaded_1;
+    _S459.moments_0 = moments_1;
+    return _S459;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S461 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S461, _S461, _S461);
+    var _S460 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S460, _S460, _S460);
 }
 
 struct Memory_0
@@ -6857,22 +6817,22 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_13 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S462 : Memory_0;
-    _S462.lit_0 = lit_1;
-    _S462.looks_0 = looks_1;
-    _S462.direct_2 = direct_3;
-    _S462.albedo_2 = albedo_3;
-    _S462.normal_12 = normal_13;
-    _S462.place_10 = place_11;
-    _S462.roughness_1 = roughness_2;
-    _S462.coverage_0 = coverage_1;
-    return _S462;
+    var _S461 : Memory_0;
+    _S461.lit_0 = lit_1;
+    _S461.looks_0 = looks_1;
+    _S461.direct_2 = direct_3;
+    _S461.albedo_2 = albedo_3;
+    _S461.normal_12 = normal_13;
+    _S461.place_10 = place_11;
+    _S461.roughness_1 = roughness_2;
+    _S461.coverage_0 = coverage_1;
+    return _S461;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S463 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S463, _S463, _S463, _S463, 0.0f, 0.0f);
+    var _S462 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S462, _S462, _S462, _S462, 0.0f, 0.0f);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -6899,12 +6859,12 @@ fn Lit_products_0( this_61 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S464 : u32 = words_3.x;
-    var _S465 : u32 = words_3.y;
-    var _S466 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S464), high_half_0(_S464), low_half_0(_S465)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S466;
-    var _S467 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S466, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S465), low_half_0(_S467), high_half_0(_S467)));
+    var _S463 : u32 = words_3.x;
+    var _S464 : u32 = words_3.y;
+    var _S465 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S463), high_half_0(_S463), low_half_0(_S464)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S465;
+    var _S466 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S465, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S464), low_half_0(_S466), high_half_0(_S466)));
     return lit_2;
 }
 
@@ -6928,16 +6888,16 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S468 : u32 = seen_0.x;
-    var _S469 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S468), high_half_0(_S468), low_half_0(_S469));
-    var _S470 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S469), low_half_0(_S470), high_half_0(_S470));
+    var _S467 : u32 = seen_0.x;
+    var _S468 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S467), high_half_0(_S467), low_half_0(_S468));
+    var _S469 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S468), low_half_0(_S469), high_half_0(_S469));
     memory_0.normal_12 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S471 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S471);
-    memory_0.coverage_0 = low_half_0(_S471);
+    var _S470 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S470);
+    memory_0.coverage_0 = low_half_0(_S470);
     return memory_0;
 }
 
@@ -6957,9 +6917,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S472 : u32 = light_16.y;
-    var _S473 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S472), vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S472)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S471 : u32 = light_16.y;
+    var _S472 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S471), vec3<f32>(low_half_0(_S472), high_half_0(_S472), low_half_0(_S471)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -6993,20 +6953,20 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S474 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S474);
-    sample_20.is_shown_0 = ((_S474 & (u32(1073741824)))) != u32(0);
+    var _S473 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S473);
+    sample_20.is_shown_0 = ((_S473 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_63 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S475 : f32 = (*this_63).looks_0 + 1.0f;
-    (*this_63).looks_0 = _S475;
-    var share_8 : f32 = 1.0f / _S475;
-    var _S476 : vec3<f32> = vec3<f32>(share_8);
-    (*this_63).direct_2 = (*this_63).direct_2 + (sample_21.direct_0 - (*this_63).direct_2) * _S476;
-    (*this_63).albedo_2 = (*this_63).albedo_2 + (sample_21.albedo_0 - (*this_63).albedo_2) * _S476;
+    var _S474 : f32 = (*this_63).looks_0 + 1.0f;
+    (*this_63).looks_0 = _S474;
+    var share_8 : f32 = 1.0f / _S474;
+    var _S475 : vec3<f32> = vec3<f32>(share_8);
+    (*this_63).direct_2 = (*this_63).direct_2 + (sample_21.direct_0 - (*this_63).direct_2) * _S475;
+    (*this_63).albedo_2 = (*this_63).albedo_2 + (sample_21.albedo_0 - (*this_63).albedo_2) * _S475;
     if(!sample_21.is_shown_0)
     {
         (*this_63).coverage_0 = (*this_63).coverage_0 - (*this_63).coverage_0 * share_8;
@@ -7016,9 +6976,9 @@ fn Memory_look_0( this_63 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_63).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_63).place_10;
-    var _S477 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_63).normal_12 = (*this_63).normal_12 + (sample_21.normal_4 - (*this_63).normal_12) * _S477;
-    (*this_63).place_10 = (*this_63).place_10 + (sample_21.place_3 - (*this_63).place_10) * _S477;
+    var _S476 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_63).normal_12 = (*this_63).normal_12 + (sample_21.normal_4 - (*this_63).normal_12) * _S476;
+    (*this_63).place_10 = (*this_63).place_10 + (sample_21.place_3 - (*this_63).place_10) * _S476;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_63).normal_12, sample_21.place_3 - before_0);
@@ -7029,23 +6989,23 @@ fn Memory_look_0( this_63 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 
 fn Lit_add_0( this_64 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S478 : f32 = min((*this_64).paths_0 + 1.0f, most_0);
-    (*this_64).paths_0 = _S478;
+    var _S477 : f32 = min((*this_64).paths_0 + 1.0f, most_0);
+    (*this_64).paths_0 = _S477;
     var l_1 : f32 = luminance_0(found_2);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S479 : vec3<f32> = vec3<f32>((1.0f / _S478));
-    (*this_64).light_12 = (*this_64).light_12 + (found_2 - (*this_64).light_12) * _S479;
-    (*this_64).shaded_0 = (*this_64).shaded_0 + (albedo_4 - (*this_64).shaded_0) * _S479;
-    (*this_64).moments_0 = (*this_64).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_64).moments_0) * _S479;
+    var _S478 : vec3<f32> = vec3<f32>((1.0f / _S477));
+    (*this_64).light_12 = (*this_64).light_12 + (found_2 - (*this_64).light_12) * _S478;
+    (*this_64).shaded_0 = (*this_64).shaded_0 + (albedo_4 - (*this_64).shaded_0) * _S478;
+    (*this_64).moments_0 = (*this_64).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_64).moments_0) * _S478;
     return;
 }
 
 fn Memory_add_0( this_65 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_65)), sample_22);
-    var _S480 : Lit_0 = (*this_65).lit_0;
-    Lit_add_0(&(_S480), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_65).lit_0 = _S480;
+    var _S479 : Lit_0 = (*this_65).lit_0;
+    Lit_add_0(&(_S479), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_65).lit_0 = _S479;
     return;
 }
 
@@ -7056,24 +7016,24 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S481 : bool;
+    var _S480 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S481 = true;
+        _S480 = true;
     }
     else
     {
-        _S481 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S480 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S481)
+    if(_S480)
     {
-        _S481 = true;
+        _S480 = true;
     }
     else
     {
-        _S481 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S480 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S481;
+    return _S480;
 }
 
 fn halves_1( low_13 : f32,  high_6 : f32) -> u32
@@ -7084,8 +7044,8 @@ fn halves_1( low_13 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_66 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_66, kept_1);
-    var _S482 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_66.moments_0 / max(products_0, _S482) - vec3<f32>(1.0f), products_0 > _S482);
+    var _S481 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_66.moments_0 / max(products_0, _S481) - vec3<f32>(1.0f), products_0 > _S481);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7100,17 +7060,17 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S483 : u32 = packed_normal_0(memory_2.normal_12);
-    var _S484 : u32;
+    var _S482 : u32 = packed_normal_0(memory_2.normal_12);
+    var _S483 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S484 = u32(1073741824);
+        _S483 = u32(1073741824);
     }
     else
     {
-        _S484 = u32(0);
+        _S483 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S483 | (_S484)));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S482 | (_S483)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -7139,18 +7099,18 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S485 : f32;
+        var _S484 : f32;
         if(is_in_motion_0)
         {
-            _S485 = 4.0f;
+            _S484 = 4.0f;
         }
         else
         {
-            _S485 = 16.0f;
+            _S484 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S486 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S486;
+        var _S485 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S485;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7164,17 +7124,17 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S487 : f32 = memory_3.looks_0;
-                    var _S488 : f32;
+                    var _S486 : f32 = memory_3.looks_0;
+                    var _S487 : f32;
                     if(differs_0)
                     {
-                        _S488 = _S485;
+                        _S487 = _S484;
                     }
                     else
                     {
-                        _S488 = 4.0f;
+                        _S487 = 4.0f;
                     }
-                    is_in_motion_0 = _S487 < _S488;
+                    is_in_motion_0 = _S486 < _S487;
                 }
                 else
                 {
@@ -7192,23 +7152,23 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S486;
+                seen_1 = _S485;
                 looks_2 = looks_3;
             }
-            var is_under_way_2 : bool = goes_on_5(&(look_0), &(seen_1));
+            var is_under_way_2 : bool = goes_on_4(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S489 : bool;
+                var _S488 : bool;
                 if(differs_0)
                 {
-                    _S489 = true;
+                    _S488 = true;
                 }
                 else
                 {
-                    _S489 = differ_0(seen_1, sample_23);
+                    _S488 = differ_0(seen_1, sample_23);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S489;
+                differs_0 = _S488;
             }
             is_under_way_1 = is_under_way_2;
         }

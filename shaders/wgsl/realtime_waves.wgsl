@@ -5500,6 +5500,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
+    var _S355 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
@@ -5510,8 +5511,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S355 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S355;
+        var _S356 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S356;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5522,8 +5523,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S356 : bool = asks_0((*at_7).path_0, (*at_7).ray_10, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S356;
+            var _S357 : bool = asks_0((*at_7).path_0, (*at_7).ray_10, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S357;
         }
         else
         {
@@ -5531,12 +5532,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S355;
-        var _S357 : Path_0 = (*at_7).path_0;
-        var _S358 : NextRays_0 = PathTracingOf_advance_0(&(_S357), (*at_7).ray_10, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S357;
-        next_2 = _S358;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S355)));
+        var emitted_2 : vec3<f32> = _S356;
+        var _S358 : Path_0 = (*at_7).path_0;
+        var _S359 : NextRays_0 = PathTracingOf_advance_0(&(_S358), (*at_7).ray_10, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S358;
+        next_2 = _S359;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S356)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5551,7 +5552,7 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if((*at_7).is_at_cell_0)
+    if(_S355)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5582,49 +5583,49 @@ fn key_of_1( hit_14 : Hit_0,  size_2 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S359 : f32;
+    var _S360 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S359 = 1.0f;
+        _S360 = 1.0f;
     }
     else
     {
-        _S359 = 0.0f;
+        _S360 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_6 + _S359, 6.0f));
-    var _S360 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S360)));
-    var _S361 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S360))));
-    (*code_3) = u32(1) + (((((((_S361.x) | ((((_S361.y) << (level_1)))))) | ((((_S361.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_6 + _S360, 6.0f));
+    var _S361 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S361)));
+    var _S362 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S361))));
+    (*code_3) = u32(1) + (((((((_S362.x) | ((((_S362.y) << (level_1)))))) | ((((_S362.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S362 : bool;
+    var _S363 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S362 = true;
+        _S363 = true;
     }
     else
     {
-        _S362 = Inside_is_in_0(path_9.inside_0);
+        _S363 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S362)
+    if(_S363)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S362 = true;
+        _S363 = true;
     }
     else
     {
-        _S362 = (material_13.transmission_0) > 0.0f;
+        _S363 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S362)
+    if(_S363)
     {
         return false;
     }
@@ -5633,13 +5634,13 @@ fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  
     var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
     if(life_2 == u32(0))
     {
-        _S362 = true;
+        _S363 = true;
     }
     else
     {
-        _S362 = (hit_15.t_0 * square_root_0(length_squared_0(ray_23.direction_0))) < least_1;
+        _S363 = (hit_15.t_0 * square_root_0(length_squared_0(ray_23.direction_0))) < least_1;
     }
-    if(_S362)
+    if(_S363)
     {
         return false;
     }
@@ -5671,13 +5672,13 @@ fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S363 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S363, _S363, 0.0f);
+    var _S364 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S364, _S364, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S364 : f32 = u_20.x * edge_1;
-    var _S365 : f32 = edge_1 - 1.0f;
-    var _S366 : f32 = min(floor(_S364), _S365);
-    var own_2 : u32 = u32(_S366) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S365));
+    var _S365 : f32 = u_20.x * edge_1;
+    var _S366 : f32 = edge_1 - 1.0f;
+    var _S367 : f32 = min(floor(_S365), _S366);
+    var own_2 : u32 = u32(_S367) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S366));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
@@ -5692,10 +5693,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S367 : u32 = index_28 % params_0.sky_edge_0;
-    var _S368 : f32 = f32(_S367);
-    var _S369 : u32 = index_28 / params_0.sky_edge_0;
-    var place_5 : vec2<f32> = vec2<f32>(_S368, f32(_S369)) + vec2<f32>(min(_S364 - _S366, 1.0f), u_20.w);
+    var _S368 : u32 = index_28 % params_0.sky_edge_0;
+    var _S369 : f32 = f32(_S368);
+    var _S370 : u32 = index_28 / params_0.sky_edge_0;
+    var place_5 : vec2<f32> = vec2<f32>(_S369, f32(_S370)) + vec2<f32>(min(_S365 - _S367, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_5 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_5), pdf_12);
     return true;
 }
@@ -5704,17 +5705,17 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S370 : bool;
+    var _S371 : bool;
     if(SKY_0 != u32(1))
     {
-        _S370 = true;
+        _S371 = true;
     }
     else
     {
-        var _S371 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S370 = !_S371;
+        var _S372 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S371 = !_S372;
     }
-    if(_S370)
+    if(_S371)
     {
         return false;
     }
@@ -5739,7 +5740,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S372 : LightNode_0 = node_13;
+        var _S373 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5747,29 +5748,20 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S372.parent_0);
-        var _S373 : u32 = _S372.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S373;
-        var _S374 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S373.parent_0);
+        var _S374 : u32 = _S373.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S374;
+        var _S375 : u32;
         if(is_left_4)
         {
-            _S374 = parent_2.index_11;
+            _S375 = parent_2.index_11;
         }
         else
         {
-            _S374 = _S373;
+            _S375 = _S374;
         }
-        var _S375 : View_0 = view_0(node_13, receiver_21);
-        var _S376 : View_0 = view_0(top_light_node_0(_S374), receiver_21);
-        var _S377 : f32;
-        if(is_left_4)
-        {
-            _S377 = _S375.importance_0;
-        }
-        else
-        {
-            _S377 = _S376.importance_0;
-        }
+        var _S376 : View_0 = view_0(node_13, receiver_21);
+        var _S377 : View_0 = view_0(top_light_node_0(_S375), receiver_21);
         var _S378 : f32;
         if(is_left_4)
         {
@@ -5777,29 +5769,38 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         }
         else
         {
-            _S378 = _S375.importance_0;
+            _S378 = _S377.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S377, _S378);
-        var _S379 : f32 = weights_3.x;
-        var _S380 : f32 = weights_3.y;
-        var total_6 : f32 = _S379 + _S380;
+        var _S379 : f32;
+        if(is_left_4)
+        {
+            _S379 = _S377.importance_0;
+        }
+        else
+        {
+            _S379 = _S376.importance_0;
+        }
+        var weights_3 : vec2<f32> = weights_of_0(_S378, _S379);
+        var _S380 : f32 = weights_3.x;
+        var _S381 : f32 = weights_3.y;
+        var total_6 : f32 = _S380 + _S381;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S381 : f32;
+        var _S382 : f32;
         if(is_left_4)
         {
-            _S381 = _S379;
+            _S382 = _S380;
         }
         else
         {
-            _S381 = _S380;
+            _S382 = _S381;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S381;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S382;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S372.parent_0;
+        at_8 = _S373.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5808,16 +5809,16 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S382 : bool;
+        var _S383 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S382 = !(*descent_5).is_far_3;
+            _S383 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S382 = false;
+            _S383 = false;
         }
-        if(_S382)
+        if(_S383)
         {
         }
         else
@@ -5831,29 +5832,29 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
-        var _S383 : f32 = weights_4.x;
-        var _S384 : f32 = weights_4.y;
-        var total_7 : f32 = _S383 + _S384;
+        var _S384 : f32 = weights_4.x;
+        var _S385 : f32 = weights_4.y;
+        var total_7 : f32 = _S384 + _S385;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S385 : bool;
-        if(_S384 <= 0.0f)
+        var _S386 : bool;
+        if(_S385 <= 0.0f)
         {
-            _S385 = true;
+            _S386 = true;
         }
         else
         {
-            _S385 = ((*descent_5).choice_0 * total_7) < (_S383 * (*descent_5).weight_0);
+            _S386 = ((*descent_5).choice_0 * total_7) < (_S384 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S386 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S386 >= (vector_of_0(left_4.min_1))))))
+            var _S387 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S387 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S386 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S387 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5862,63 +5863,63 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S385;
+            is_left_5 = _S386;
         }
-        var _S387 : f32 = (*descent_5).choice_0 * total_7;
-        var _S388 : f32;
+        var _S388 : f32 = (*descent_5).choice_0 * total_7;
+        var _S389 : f32;
         if(is_left_5)
         {
-            _S388 = 0.0f;
+            _S389 = 0.0f;
         }
         else
         {
-            _S388 = _S383 * (*descent_5).weight_0;
+            _S389 = _S384 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S387 - _S388;
-        var _S389 : u32;
-        if(is_left_5)
-        {
-            _S389 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S389 = (*descent_5).index_15;
-        }
-        (*descent_5).node_3 = _S389;
+        (*descent_5).choice_0 = _S388 - _S389;
         var _S390 : u32;
         if(is_left_5)
         {
-            _S390 = left_4.index_11;
+            _S390 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S390 = right_3.index_11;
+            _S390 = (*descent_5).index_15;
         }
-        (*descent_5).index_15 = _S390;
+        (*descent_5).node_3 = _S390;
         var _S391 : u32;
         if(is_left_5)
         {
-            _S391 = left_4.count_1;
+            _S391 = left_4.index_11;
         }
         else
         {
-            _S391 = right_3.count_1;
+            _S391 = right_3.index_11;
         }
-        (*descent_5).count_2 = _S391;
-        (*descent_5).is_far_3 = false;
-        var _S392 : f32;
+        (*descent_5).index_15 = _S391;
+        var _S392 : u32;
         if(is_left_5)
         {
-            _S392 = _S383;
+            _S392 = left_4.count_1;
         }
         else
         {
-            _S392 = _S384;
+            _S392 = right_3.count_1;
         }
-        var _S393 : f32 = (*descent_5).weight_0 * _S392;
-        (*descent_5).weight_0 = _S393;
+        (*descent_5).count_2 = _S392;
+        (*descent_5).is_far_3 = false;
+        var _S393 : f32;
+        if(is_left_5)
+        {
+            _S393 = _S384;
+        }
+        else
+        {
+            _S393 = _S385;
+        }
+        var _S394 : f32 = (*descent_5).weight_0 * _S393;
+        (*descent_5).weight_0 = _S394;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S393 <= 0.0f)
+        if(_S394 <= 0.0f)
         {
             return false;
         }
@@ -5940,16 +5941,16 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S394 : bool;
+        var _S395 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S394 = !(*descent_6).is_far_3;
+            _S395 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S394 = false;
+            _S395 = false;
         }
-        if(_S394)
+        if(_S395)
         {
         }
         else
@@ -5965,29 +5966,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_5, receiver_23);
         var of_right_1 : View_0 = view_0(right_4, receiver_23);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S395 : f32 = weights_5.x;
-        var _S396 : f32 = weights_5.y;
-        var total_8 : f32 = _S395 + _S396;
+        var _S396 : f32 = weights_5.x;
+        var _S397 : f32 = weights_5.y;
+        var total_8 : f32 = _S396 + _S397;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S397 : bool;
-        if(_S396 <= 0.0f)
+        var _S398 : bool;
+        if(_S397 <= 0.0f)
         {
-            _S397 = true;
+            _S398 = true;
         }
         else
         {
-            _S397 = ((*descent_6).choice_0 * total_8) < (_S395 * (*descent_6).weight_0);
+            _S398 = ((*descent_6).choice_0 * total_8) < (_S396 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S398 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S398 >= (vector_of_0(left_5.min_1))))))
+            var _S399 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S399 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S398 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S399 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5996,72 +5997,72 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S397;
+            is_left_6 = _S398;
         }
-        var _S399 : f32 = (*descent_6).choice_0 * total_8;
-        var _S400 : f32;
+        var _S400 : f32 = (*descent_6).choice_0 * total_8;
+        var _S401 : f32;
         if(is_left_6)
         {
-            _S400 = 0.0f;
+            _S401 = 0.0f;
         }
         else
         {
-            _S400 = _S395 * (*descent_6).weight_0;
+            _S401 = _S396 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S399 - _S400;
-        var _S401 : u32;
-        if(is_left_6)
-        {
-            _S401 = (*descent_6).node_3 + u32(1);
-        }
-        else
-        {
-            _S401 = (*descent_6).index_15;
-        }
-        (*descent_6).node_3 = _S401;
+        (*descent_6).choice_0 = _S400 - _S401;
         var _S402 : u32;
         if(is_left_6)
         {
-            _S402 = left_5.index_11;
+            _S402 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S402 = right_4.index_11;
+            _S402 = (*descent_6).index_15;
         }
-        (*descent_6).index_15 = _S402;
+        (*descent_6).node_3 = _S402;
         var _S403 : u32;
         if(is_left_6)
         {
-            _S403 = left_5.count_1;
+            _S403 = left_5.index_11;
         }
         else
         {
-            _S403 = right_4.count_1;
+            _S403 = right_4.index_11;
         }
-        (*descent_6).count_2 = _S403;
-        var _S404 : bool;
+        (*descent_6).index_15 = _S403;
+        var _S404 : u32;
         if(is_left_6)
         {
-            _S404 = of_left_1.is_far_0;
+            _S404 = left_5.count_1;
         }
         else
         {
-            _S404 = of_right_1.is_far_0;
+            _S404 = right_4.count_1;
         }
-        (*descent_6).is_far_3 = _S404;
-        var _S405 : f32;
+        (*descent_6).count_2 = _S404;
+        var _S405 : bool;
         if(is_left_6)
         {
-            _S405 = _S395;
+            _S405 = of_left_1.is_far_0;
         }
         else
         {
-            _S405 = _S396;
+            _S405 = of_right_1.is_far_0;
         }
-        var _S406 : f32 = (*descent_6).weight_0 * _S405;
-        (*descent_6).weight_0 = _S406;
+        (*descent_6).is_far_3 = _S405;
+        var _S406 : f32;
+        if(is_left_6)
+        {
+            _S406 = _S396;
+        }
+        else
+        {
+            _S406 = _S397;
+        }
+        var _S407 : f32 = (*descent_6).weight_0 * _S406;
+        (*descent_6).weight_0 = _S407;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S406 <= 0.0f)
+        if(_S407 <= 0.0f)
         {
             return false;
         }
@@ -6072,29 +6073,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S407 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S408 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S409 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S407 - _S408) * _S409;
-    var toward_3 : vec3<f32> = (_S408 + _S407) * _S409 - point_6;
+    var _S408 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S409 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S410 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S408 - _S409) * _S410;
+    var toward_3 : vec3<f32> = (_S409 + _S408) * _S410 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S410 : f32 = way_6.choice_0 * total_9;
-    var _S411 : u32 = (*side_4);
+    var _S411 : f32 = way_6.choice_0 * total_9;
+    var _S412 : u32 = (*side_4);
     var share_7 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_3);
-    var _S412 : bool;
+    var _S413 : bool;
     if(is_met_3)
     {
-        _S412 = u32(0) == _S411;
+        _S413 = u32(0) == _S412;
     }
     else
     {
-        _S412 = share_7 > 0.0f;
+        _S413 = share_7 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S412)
+    if(_S413)
     {
         (*side_4) = u32(0);
         chosen_8 = share_7;
@@ -6103,145 +6104,145 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S413 : bool = _S410 < (share_7 * way_6.weight_0);
+    var _S414 : bool = _S411 < (share_7 * way_6.weight_0);
     var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S412 = u32(1) == _S411;
+        _S413 = u32(1) == _S412;
     }
     else
     {
         if(share_8 > 0.0f)
         {
-            _S412 = !_S413;
+            _S413 = !_S414;
         }
         else
         {
-            _S412 = false;
+            _S413 = false;
         }
     }
-    if(_S412)
+    if(_S413)
     {
         (*side_4) = u32(1);
         chosen_8 = share_8;
     }
     var passed_4 : f32 = share_7 + share_8;
-    if(_S413)
+    if(_S414)
     {
-        _S412 = true;
+        _S413 = true;
     }
     else
     {
-        _S412 = _S410 < (passed_4 * way_6.weight_0);
+        _S413 = _S411 < (passed_4 * way_6.weight_0);
     }
     var share_9 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_3);
-    var _S414 : bool;
+    var _S415 : bool;
     if(is_met_3)
     {
-        _S414 = u32(2) == _S411;
+        _S415 = u32(2) == _S412;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S414 = !_S412;
+            _S415 = !_S413;
         }
         else
         {
-            _S414 = false;
+            _S415 = false;
         }
     }
-    if(_S414)
+    if(_S415)
     {
         (*side_4) = u32(2);
         chosen_8 = share_9;
     }
     var passed_5 : f32 = passed_4 + share_9;
-    if(_S412)
+    if(_S413)
     {
-        _S412 = true;
+        _S413 = true;
     }
     else
     {
-        _S412 = _S410 < (passed_5 * way_6.weight_0);
+        _S413 = _S411 < (passed_5 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S414 = u32(3) == _S411;
+        _S415 = u32(3) == _S412;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S414 = !_S412;
+            _S415 = !_S413;
         }
         else
         {
-            _S414 = false;
+            _S415 = false;
         }
     }
-    if(_S414)
+    if(_S415)
     {
         (*side_4) = u32(3);
         chosen_8 = share_10;
     }
     var passed_6 : f32 = passed_5 + share_10;
-    if(_S412)
+    if(_S413)
     {
-        _S412 = true;
+        _S413 = true;
     }
     else
     {
-        _S412 = _S410 < (passed_6 * way_6.weight_0);
+        _S413 = _S411 < (passed_6 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S414 = u32(4) == _S411;
+        _S415 = u32(4) == _S412;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S414 = !_S412;
+            _S415 = !_S413;
         }
         else
         {
-            _S414 = false;
+            _S415 = false;
         }
     }
-    if(_S414)
+    if(_S415)
     {
         (*side_4) = u32(4);
         chosen_8 = share_11;
     }
     var passed_7 : f32 = passed_6 + share_11;
-    if(_S412)
+    if(_S413)
     {
-        _S412 = true;
+        _S413 = true;
     }
     else
     {
-        _S412 = _S410 < (passed_7 * way_6.weight_0);
+        _S413 = _S411 < (passed_7 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S412 = u32(5) == _S411;
+        _S413 = u32(5) == _S412;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S412 = !_S412;
+            _S413 = !_S413;
         }
         else
         {
-            _S412 = false;
+            _S413 = false;
         }
     }
-    if(_S412)
+    if(_S413)
     {
         (*side_4) = u32(5);
         chosen_8 = share_12;
@@ -6249,13 +6250,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S412 = ((*odds_3).x) > 0.0f;
+        _S413 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S412 = false;
+        _S413 = false;
     }
-    return _S412;
+    return _S413;
 }
 
 fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6267,45 +6268,45 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S415 : bool;
+    var _S416 : bool;
     if(!IS_SINGLE_0)
     {
-        _S415 = aim_7.is_met_0;
+        _S416 = aim_7.is_met_0;
     }
     else
     {
-        _S415 = false;
+        _S416 = false;
     }
-    if(_S415)
+    if(_S416)
     {
-        var _S416 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S416.light_leaf_0) == u32(4294967295))
+        var _S417 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S417.light_leaf_0) == u32(4294967295))
         {
-            _S415 = true;
+            _S416 = true;
         }
         else
         {
-            var _S417 : bool = climb_1(receiver_24, _S416.light_leaf_0, &(descent_7));
-            _S415 = !_S417;
+            var _S418 : bool = climb_1(receiver_24, _S417.light_leaf_0, &(descent_7));
+            _S416 = !_S418;
         }
-        if(_S415)
+        if(_S416)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S416.light_leaf_0);
+        Descent_at_2(&(descent_7), _S417.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S418 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
-            _S415 = !_S418;
+            var _S419 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S416 = !_S419;
         }
         else
         {
-            _S415 = false;
+            _S416 = false;
         }
-        if(_S415)
+        if(_S416)
         {
             return false;
         }
@@ -6313,35 +6314,35 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S419 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S419)
+    var _S420 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S420)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S420 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S420)
+    var _S421 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S421)
     {
         return false;
     }
     var power_7 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S421 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S422 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S422 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S421.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S422;
-        return _S422 > 0.0f;
+        var _S423 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S422.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S423;
+        return _S423 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_7);
-    var _S423 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S423, side_5, u_22.z, u_22.w);
+    var _S424 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S424, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S421.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S421.grid_from_world_0.translation_0), _S423, side_5, on_face_1)) - receiver_24.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S422.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S422.grid_from_world_0.translation_0), _S424, side_5, on_face_1)) - receiver_24.point_0;
     var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_29, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_10 > 0.0f;
@@ -6349,8 +6350,8 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S424 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
-    return _S424;
+    var _S425 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
+    return _S425;
 }
 
 fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6374,9 +6375,9 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S425 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
+        var _S426 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S425;
+        is_found_11 = _S426;
     }
     else
     {
@@ -6398,15 +6399,15 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S426 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S427 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S426;
+            is_found_11 = _S427;
         }
         else
         {
-            var _S427 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S428 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S427;
+            is_found_11 = _S428;
         }
     }
     return is_found_11;
@@ -6426,8 +6427,8 @@ fn Diffuse_sample_1( this_53 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_54 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S428 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_54.color_0), wo_9, u_26, &((*sample_18)));
-    return _S428;
+    var _S429 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_54.color_0), wo_9, u_26, &((*sample_18)));
+    return _S429;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6522,7 +6523,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S429 : vec3<f32> = vec3<f32>(0.0f);
+    var _S430 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6530,12 +6531,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     else
     {
-        le_3 = _S429;
+        le_3 = _S430;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_25.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S430 : bool = weighs_apart_0();
-    if(_S430)
+    var _S431 : bool = weighs_apart_0();
+    if(_S431)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6563,7 +6564,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S430)
+        if(!_S431)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6573,15 +6574,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S431 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S431;
+            var _S432 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S432;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S432 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S433 : f32 = (*path_11).pdf_1;
+        var _S433 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S434 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6590,13 +6591,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S432 * vec3<f32>(mis_weight_0(_S433, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S433 * vec3<f32>(mis_weight_0(_S434, light_pdf_2));
     }
-    var _S434 : f32 = ior_of_0((*path_11).inside_0);
-    var _S435 : f32 = u_27[i32(3)];
-    var _S436 : MaterialBsdf_0 = bsdf_of_1(material_15, _S434, &(_S435));
-    u_27[i32(3)] = _S435;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S436);
+    var _S435 : f32 = ior_of_0((*path_11).inside_0);
+    var _S436 : f32 = u_27[i32(3)];
+    var _S437 : MaterialBsdf_0 = bsdf_of_1(material_15, _S435, &(_S436));
+    u_27[i32(3)] = _S436;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S437);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6605,8 +6606,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S437 : bool = !is_weighed_1;
-    if(_S437)
+    var _S438 : bool = !is_weighed_1;
+    if(_S438)
     {
         if(is_chosen_1)
         {
@@ -6626,7 +6627,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S437)
+    if(_S438)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6648,19 +6649,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_25, at_9);
-    var _S438 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
-    var _S439 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S439);
+    var _S439 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
+    var _S440 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S440);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_27 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S440 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S440;
-        var _S441 : vec3<f32> = normalize_vector_0(_S439);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S440, ray_25, t_16), _S429);
-        wo_11 = _S441;
+        var _S441 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S441;
+        var _S442 : vec3<f32> = normalize_vector_0(_S440);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S441, ray_25, t_16), _S430);
+        wo_11 = _S442;
     }
     else
     {
@@ -6670,7 +6671,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_27 = _S438;
+        receiver_27 = _S439;
         wo_11 = wo_10;
     }
     next_3.origin_7 = receiver_27.point_0;
@@ -6679,13 +6680,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         receiver_27 = last_6;
     }
-    if(_S437)
+    if(_S438)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_27);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S442 : bool = !MaterialBsdf_is_delta_0(_S436);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S436, wo_11, compensation_3, is_scattered_3, _S442);
+    var _S443 : bool = !MaterialBsdf_is_delta_0(_S437);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S437, wo_11, compensation_3, is_scattered_3, _S443);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6702,8 +6703,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S443 : bool = MaterialBsdf_sample_1(_S436, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S443)
+    var _S444 : bool = MaterialBsdf_sample_1(_S437, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S444)
     {
         return next_3;
     }
@@ -6730,34 +6731,34 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
 
 fn show_1( path_12 : Path_0,  ray_26 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S444 : Path_0 = path_12;
+    var _S445 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S444.inside_0))
+    if(Inside_is_in_0(_S445.inside_0))
     {
-        absorb_1(&(_S444), _S444.inside_0, ray_26, hit_17.t_0);
+        absorb_1(&(_S445), _S445.inside_0, ray_26, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S444, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S445, hit_17, beyond_9);
     (*sample_19).normal_1 = shading_normal_0(ray_26, hit_17, material_16);
-    (*sample_19).albedo_0 = _S444.beta_0 * albedo_of_0(material_16);
+    (*sample_19).albedo_0 = _S445.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_55 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S445 : bool = ((*this_55).path_0.bounce_0) == u32(0);
-    var _S446 : bool;
+    var _S446 : bool = ((*this_55).path_0.bounce_0) == u32(0);
+    var _S447 : bool;
     if(goes_on_3)
     {
-        _S446 = _S445;
+        _S447 = _S446;
     }
     else
     {
-        _S446 = false;
+        _S447 = false;
     }
-    var _S447 : bool = !_S446;
-    (*this_55).has_shown_0 = _S447;
-    if(!_S447)
+    var _S448 : bool = !_S447;
+    (*this_55).has_shown_0 = _S448;
+    if(!_S448)
     {
         (*this_55).way_3 = (*this_55).way_3 + hit_18.t_0;
     }
@@ -6767,16 +6768,16 @@ fn Walker_see_1( this_55 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18
         {
             show_1(arrived_2, (*this_55).ray_10, hit_18, beyond_10, &((*sample_20)));
             (*sample_20).place_0 = (*this_55).camera_ray_0.origin_0 + (*this_55).camera_ray_0.direction_0 * vec3<f32>(((*this_55).way_3 + hit_18.t_0));
-            var _S448 : u32;
+            var _S449 : u32;
             if(((*this_55).way_3) > 0.0f)
             {
-                _S448 = u32(4294967295);
+                _S449 = u32(4294967295);
             }
             else
             {
-                _S448 = hit_18.instance_0;
+                _S449 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S448;
+            (*sample_20).instance_7 = _S449;
         }
     }
     return;
@@ -6807,18 +6808,18 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S449 : vec4<f32>;
+        var _S450 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S449 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S450 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S449 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S450 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S449;
-        var _S450 : bool = count_6 > u32(1);
-        if(_S450)
+        u_28 = _S450;
+        var _S451 : bool = count_6 > u32(1);
+        if(_S451)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
@@ -6829,7 +6830,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S451 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_16.direction_0).xy, light_11.cos_theta_2);
+        var _S452 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_16.direction_0).xy, light_11.cos_theta_2);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -6837,22 +6838,22 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S451;
+            wi_7 = _S452;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S452 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_8 : f32 = luminance_0(_S452);
+        var _S453 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_8 : f32 = luminance_0(_S453);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S453 : bool;
-        if(_S450)
+        var _S454 : bool;
+        if(_S451)
         {
-            _S453 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S454 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S453 = false;
+            _S454 = false;
         }
-        if(_S453)
+        if(_S454)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6863,7 +6864,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_16.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_16.t_max_0;
-            (*next_4).light_2 = _S452;
+            (*next_4).light_2 = _S453;
             chosen_10 = weight_8;
         }
         else
@@ -6874,9 +6875,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S454 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S454;
-    if(_S454)
+    var _S455 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S455;
+    if(_S455)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6886,6 +6887,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
+    var _S456 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
@@ -6896,8 +6898,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S455 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S455;
+        var _S457 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S457;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -6908,8 +6910,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S456 : bool = asks_1((*at_10).path_0, (*at_10).ray_10, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S456;
+            var _S458 : bool = asks_1((*at_10).path_0, (*at_10).ray_10, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S458;
         }
         else
         {
@@ -6917,12 +6919,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S455;
-        var _S457 : Path_0 = (*at_10).path_0;
-        var _S458 : NextRays_0 = PathTracingOf_advance_1(&(_S457), (*at_10).ray_10, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S457;
-        next_5 = _S458;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S455)));
+        var emitted_4 : vec3<f32> = _S457;
+        var _S459 : Path_0 = (*at_10).path_0;
+        var _S460 : NextRays_0 = PathTracingOf_advance_1(&(_S459), (*at_10).ray_10, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S459;
+        next_5 = _S460;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S457)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -6937,7 +6939,7 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if((*at_10).is_at_cell_0)
+    if(_S456)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -7056,7 +7058,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S459 : vec3<f32> = vec3<f32>(0.0f);
+    var _S461 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7064,12 +7066,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     }
     else
     {
-        le_5 = _S459;
+        le_5 = _S461;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_27.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S460 : bool = weighs_apart_0();
-    if(_S460)
+    var _S462 : bool = weighs_apart_0();
+    if(_S462)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7097,7 +7099,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S460)
+        if(!_S462)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7107,15 +7109,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S461 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S461;
+            var _S463 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S463;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S462 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S463 : f32 = (*path_13).pdf_1;
+        var _S464 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S465 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7124,13 +7126,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S462 * vec3<f32>(mis_weight_0(_S463, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S464 * vec3<f32>(mis_weight_0(_S465, light_pdf_3));
     }
-    var _S464 : f32 = ior_of_0((*path_13).inside_0);
-    var _S465 : f32 = u_29[i32(3)];
-    var _S466 : MaterialBsdf_0 = bsdf_of_1(material_17, _S464, &(_S465));
-    u_29[i32(3)] = _S465;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S466);
+    var _S466 : f32 = ior_of_0((*path_13).inside_0);
+    var _S467 : f32 = u_29[i32(3)];
+    var _S468 : MaterialBsdf_0 = bsdf_of_1(material_17, _S466, &(_S467));
+    u_29[i32(3)] = _S467;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S468);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7139,8 +7141,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S467 : bool = !is_weighed_2;
-    if(_S467)
+    var _S469 : bool = !is_weighed_2;
+    if(_S469)
     {
         if(is_chosen_2)
         {
@@ -7160,7 +7162,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S467)
+    if(_S469)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7182,19 +7184,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_27, at_11);
-    var _S468 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
-    var _S469 : vec3<f32> = (vec3<f32>(0) - ray_27.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S469);
+    var _S470 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
+    var _S471 : vec3<f32> = (vec3<f32>(0) - ray_27.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S471);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S470 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S470;
-        var _S471 : vec3<f32> = normalize_vector_0(_S469);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S470, ray_27, t_17), _S459);
-        wo_13 = _S471;
+        var _S472 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S472;
+        var _S473 : vec3<f32> = normalize_vector_0(_S471);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S472, ray_27, t_17), _S461);
+        wo_13 = _S473;
     }
     else
     {
@@ -7204,7 +7206,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_28 = _S468;
+        receiver_28 = _S470;
         wo_13 = wo_12;
     }
     next_6.origin_7 = receiver_28.point_0;
@@ -7213,13 +7215,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     {
         receiver_28 = last_7;
     }
-    if(_S467)
+    if(_S469)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S472 : bool = !MaterialBsdf_is_delta_0(_S466);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S466, wo_13, compensation_4, is_scattered_4, _S472);
+    var _S474 : bool = !MaterialBsdf_is_delta_0(_S468);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S468, wo_13, compensation_4, is_scattered_4, _S474);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7236,8 +7238,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S473 : bool = MaterialBsdf_sample_1(_S466, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S473)
+    var _S475 : bool = MaterialBsdf_sample_1(_S468, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S475)
     {
         return next_6;
     }
@@ -7265,6 +7267,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
+    var _S476 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
@@ -7275,8 +7278,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S474 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S474;
+        var _S477 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S477;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7287,8 +7290,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S475 : bool = asks_1((*at_12).path_0, (*at_12).ray_10, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S475;
+            var _S478 : bool = asks_1((*at_12).path_0, (*at_12).ray_10, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S478;
         }
         else
         {
@@ -7296,12 +7299,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S474;
-        var _S476 : Path_0 = (*at_12).path_0;
-        var _S477 : NextRays_0 = PathTracingOf_advance_1(&(_S476), (*at_12).ray_10, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S476;
-        next_7 = _S477;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S474)));
+        var emitted_5 : vec3<f32> = _S477;
+        var _S479 : Path_0 = (*at_12).path_0;
+        var _S480 : NextRays_0 = PathTracingOf_advance_1(&(_S479), (*at_12).ray_10, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S479;
+        next_7 = _S480;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S477)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7312,7 +7315,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if((*at_12).is_at_cell_0)
+    if(_S476)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7354,22 +7357,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S478 : u32 = u32(2) * index_30;
-    var _S479 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S478);
-    var _S480 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S478 + u32(1));
+    var _S481 : u32 = u32(2) * index_30;
+    var _S482 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S481);
+    var _S483 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S481 + u32(1));
     var node_16 : InstanceNode_0;
-    var _S481 : f32 = (bitcast<f32>((_S479.y)));
-    var _S482 : f32 = (bitcast<f32>((_S479.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((_S479.x)));
-    node_16.min_2[i32(1)] = _S481;
-    node_16.min_2[i32(2)] = _S482;
-    node_16.index_29 = _S479.w;
-    var _S483 : f32 = (bitcast<f32>((_S480.y)));
-    var _S484 : f32 = (bitcast<f32>((_S480.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((_S480.x)));
-    node_16.max_2[i32(1)] = _S483;
-    node_16.max_2[i32(2)] = _S484;
-    node_16.is_leaf_0 = _S480.w;
+    var _S484 : f32 = (bitcast<f32>((_S482.y)));
+    var _S485 : f32 = (bitcast<f32>((_S482.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((_S482.x)));
+    node_16.min_2[i32(1)] = _S484;
+    node_16.min_2[i32(2)] = _S485;
+    node_16.index_29 = _S482.w;
+    var _S486 : f32 = (bitcast<f32>((_S483.y)));
+    var _S487 : f32 = (bitcast<f32>((_S483.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((_S483.x)));
+    node_16.max_2[i32(1)] = _S486;
+    node_16.max_2[i32(2)] = _S487;
+    node_16.is_leaf_0 = _S483.w;
     return node_16;
 }
 
@@ -7377,17 +7380,17 @@ fn entry_0( node_17 : InstanceNode_0,  ray_28 : Ray_0,  inverse_2 : vec3<f32>) -
 {
     var low_13 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_28.origin_0) * inverse_2;
     var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_28.origin_0) * inverse_2;
-    var _S485 : f32 = max(ray_28.t_min_0, max_element_0(min(low_13, high_6)));
-    var _S486 : f32;
-    if(_S485 <= (min(ray_28.t_max_0, min_element_0(max(low_13, high_6)))))
+    var _S488 : f32 = max(ray_28.t_min_0, max_element_0(min(low_13, high_6)));
+    var _S489 : f32;
+    if(_S488 <= (min(ray_28.t_max_0, min_element_0(max(low_13, high_6)))))
     {
-        _S486 = _S485;
+        _S489 = _S488;
     }
     else
     {
-        _S486 = (bitcast<f32>(infinity_bits_0));
+        _S489 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S486;
+    return _S489;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
@@ -7395,8 +7398,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S487 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S487;
+        var _S490 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S490;
     }
     var ray_29 : Ray_0 = (*given_0);
     var nearest_6 : Hit_0 = miss_0();
@@ -7405,15 +7408,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         return nearest_6;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S488 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S491 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S489 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S490 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S492 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S493 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S490;
+    var is_leaf_2 : bool = _S493;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S489.index_29;
+    var below_1 : u32 = _S492.index_29;
     var nearest_7 : Hit_0 = nearest_6;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -7423,16 +7426,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S491 : bool;
+            var _S494 : bool;
             if(is_done_1)
             {
-                _S491 = depth_1 > u32(0);
+                _S494 = depth_1 > u32(0);
             }
             else
             {
-                _S491 = !is_leaf_2;
+                _S494 = !is_leaf_2;
             }
-            if(_S491)
+            if(_S494)
             {
             }
             else
@@ -7443,25 +7446,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S492 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S493 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S495 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S496 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_29.t_max_0);
-                is_leaf_1 = _S493;
+                is_leaf_1 = _S496;
                 index_32 = stack_0[depth_2];
-                below_2 = _S492.index_29;
+                below_2 = _S495.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S494 : u32 = index_31 + u32(1);
-                var _S495 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S494);
-                var _S496 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S495, ray_29, _S488);
-                var to_right_0 : f32 = entry_0(_S496, ray_29, _S488);
+                var _S497 : u32 = index_31 + u32(1);
+                var _S498 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S497);
+                var _S499 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S498, ray_29, _S491);
+                var to_right_0 : f32 = entry_0(_S499, ray_29, _S491);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S497 : f32 = max(to_left_0, to_right_0);
+                var _S500 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S497 < INFINITY_0)
+                if(_S500 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7469,51 +7472,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                     }
                     else
                     {
-                        index_32 = _S494;
+                        index_32 = _S497;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S497;
+                    entries_0[depth_1] = _S500;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S498 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S499 : u32;
+                var _S501 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S502 : u32;
                 if(is_left_7)
                 {
-                    _S499 = _S494;
+                    _S502 = _S497;
                 }
                 else
                 {
-                    _S499 = below_2;
+                    _S502 = below_2;
                 }
-                var _S500 : u32;
+                var _S503 : u32;
                 if(is_left_7)
                 {
-                    _S500 = _S495.index_29;
+                    _S503 = _S498.index_29;
                 }
                 else
                 {
-                    _S500 = _S496.index_29;
+                    _S503 = _S499.index_29;
                 }
-                var _S501 : u32;
+                var _S504 : u32;
                 if(is_left_7)
                 {
-                    _S501 = _S495.is_leaf_0;
+                    _S504 = _S498.is_leaf_0;
                 }
                 else
                 {
-                    _S501 = _S496.is_leaf_0;
+                    _S504 = _S499.is_leaf_0;
                 }
-                var _S502 : bool = _S501 != u32(0);
-                var _S503 : u32 = index_32;
-                is_done_1 = _S498;
-                is_leaf_1 = _S502;
-                index_32 = _S499;
-                below_2 = _S500;
-                depth_1 = _S503;
+                var _S505 : bool = _S504 != u32(0);
+                var _S506 : u32 = index_32;
+                is_done_1 = _S501;
+                is_leaf_1 = _S505;
+                index_32 = _S502;
+                below_2 = _S503;
+                depth_1 = _S506;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7522,17 +7525,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         {
             break;
         }
-        var _S504 : Hit_0 = hit_in_0(below_2, &(ray_29));
-        var _S505 : Hit_0 = nearest_7;
-        if((_S504.t_0) < (nearest_7.t_0))
+        var _S507 : Hit_0 = hit_in_0(below_2, &(ray_29));
+        var _S508 : Hit_0 = nearest_7;
+        if((_S507.t_0) < (nearest_7.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S504.t_0) == (_S505.t_0))
+            if((_S507.t_0) == (_S508.t_0))
             {
-                is_leaf_1 = (_S504.instance_0) < (nearest_7.instance_0);
+                is_leaf_1 = (_S507.instance_0) < (nearest_7.instance_0);
             }
             else
             {
@@ -7541,12 +7544,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         if(is_leaf_1)
         {
-            ray_29.t_max_0 = _S504.t_0;
+            ray_29.t_max_0 = _S507.t_0;
             if(is_any_enough_0)
             {
-                return _S504;
+                return _S507;
             }
-            nearest_7 = _S504;
+            nearest_7 = _S507;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -7560,8 +7563,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S506 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S506;
+        var _S509 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S509;
     }
     var ray_30 : Ray_0 = (*given_1);
     var nearest_8 : Hit_0 = miss_0();
@@ -7570,15 +7573,15 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         return nearest_8;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_30.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S507 : vec3<f32> = select(reciprocal_0(select(ray_30.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S510 : vec3<f32> = select(reciprocal_0(select(ray_30.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S508 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S509 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S511 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S512 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S509;
+    var is_leaf_4 : bool = _S512;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S508.index_29;
+    var below_3 : u32 = _S511.index_29;
     var nearest_9 : Hit_0 = nearest_8;
     var depth_3 : u32 = u32(0);
     for(;;)
@@ -7588,16 +7591,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S510 : bool;
+            var _S513 : bool;
             if(is_done_3)
             {
-                _S510 = depth_4 > u32(0);
+                _S513 = depth_4 > u32(0);
             }
             else
             {
-                _S510 = !is_leaf_4;
+                _S513 = !is_leaf_4;
             }
-            if(_S510)
+            if(_S513)
             {
             }
             else
@@ -7608,25 +7611,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S511 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S512 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                var _S514 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S515 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
                 is_done_3 = (entries_1[depth_5]) > (ray_30.t_max_0);
-                is_leaf_3 = _S512;
+                is_leaf_3 = _S515;
                 index_34 = stack_1[depth_5];
-                below_4 = _S511.index_29;
+                below_4 = _S514.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S513 : u32 = index_33 + u32(1);
-                var _S514 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S513);
-                var _S515 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S514, ray_30, _S507);
-                var to_right_1 : f32 = entry_0(_S515, ray_30, _S507);
+                var _S516 : u32 = index_33 + u32(1);
+                var _S517 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S516);
+                var _S518 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S517, ray_30, _S510);
+                var to_right_1 : f32 = entry_0(_S518, ray_30, _S510);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S516 : f32 = max(to_left_1, to_right_1);
+                var _S519 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S516 < INFINITY_1)
+                if(_S519 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7634,51 +7637,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_34 = _S513;
+                        index_34 = _S516;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S516;
+                    entries_1[depth_4] = _S519;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S517 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S518 : u32;
+                var _S520 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
+                var _S521 : u32;
                 if(is_left_8)
                 {
-                    _S518 = _S513;
+                    _S521 = _S516;
                 }
                 else
                 {
-                    _S518 = below_4;
+                    _S521 = below_4;
                 }
-                var _S519 : u32;
+                var _S522 : u32;
                 if(is_left_8)
                 {
-                    _S519 = _S514.index_29;
+                    _S522 = _S517.index_29;
                 }
                 else
                 {
-                    _S519 = _S515.index_29;
+                    _S522 = _S518.index_29;
                 }
-                var _S520 : u32;
+                var _S523 : u32;
                 if(is_left_8)
                 {
-                    _S520 = _S514.is_leaf_0;
+                    _S523 = _S517.is_leaf_0;
                 }
                 else
                 {
-                    _S520 = _S515.is_leaf_0;
+                    _S523 = _S518.is_leaf_0;
                 }
-                var _S521 : bool = _S520 != u32(0);
-                var _S522 : u32 = index_34;
-                is_done_3 = _S517;
-                is_leaf_3 = _S521;
-                index_34 = _S518;
-                below_4 = _S519;
-                depth_4 = _S522;
+                var _S524 : bool = _S523 != u32(0);
+                var _S525 : u32 = index_34;
+                is_done_3 = _S520;
+                is_leaf_3 = _S524;
+                index_34 = _S521;
+                below_4 = _S522;
+                depth_4 = _S525;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7687,17 +7690,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         {
             break;
         }
-        var _S523 : Hit_0 = hit_in_1(below_4, &(ray_30));
-        var _S524 : Hit_0 = nearest_9;
-        if((_S523.t_0) < (nearest_9.t_0))
+        var _S526 : Hit_0 = hit_in_1(below_4, &(ray_30));
+        var _S527 : Hit_0 = nearest_9;
+        if((_S526.t_0) < (nearest_9.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S523.t_0) == (_S524.t_0))
+            if((_S526.t_0) == (_S527.t_0))
             {
-                is_leaf_3 = (_S523.instance_0) < (nearest_9.instance_0);
+                is_leaf_3 = (_S526.instance_0) < (nearest_9.instance_0);
             }
             else
             {
@@ -7706,12 +7709,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         }
         if(is_leaf_3)
         {
-            ray_30.t_max_0 = _S523.t_0;
+            ray_30.t_max_0 = _S526.t_0;
             if(is_any_enough_1)
             {
-                return _S523;
+                return _S526;
             }
-            nearest_9 = _S523;
+            nearest_9 = _S526;
         }
         is_done_2 = true;
         below_3 = below_4;
@@ -7727,11 +7730,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S525 : Sampler_0;
-    _S525.seed_1 = seed_3;
-    _S525.pixel_0 = pixel_1;
-    _S525.sample_0 = sample_23;
-    return _S525;
+    var _S528 : Sampler_0;
+    _S528.seed_1 = seed_3;
+    _S528.pixel_0 = pixel_1;
+    _S528.sample_0 = sample_23;
+    return _S528;
 }
 
 struct Item_0
@@ -7746,14 +7749,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S526 : Item_0;
-    _S526.traces_0 = traces_1;
-    _S526.kind_2 = kind_3;
-    _S526.at_13 = at_14;
-    _S526.place_6 = place_7;
-    _S526.slot_0 = slot_1;
-    _S526.sampler_2 = sampler_3;
-    return _S526;
+    var _S529 : Item_0;
+    _S529.traces_0 = traces_1;
+    _S529.kind_2 = kind_3;
+    _S529.at_13 = at_14;
+    _S529.place_6 = place_7;
+    _S529.slot_0 = slot_1;
+    _S529.sampler_2 = sampler_3;
+    return _S529;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7814,58 +7817,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S527 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S527;
+        var _S530 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S530;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S528 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S528);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S528 + real_time_0.number_0) & (u32(1))));
+    var _S531 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S531);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S531 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S529 : vec2<u32> = vec2<u32>(u32(5));
-    var _S530 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S529 - vec2<u32>(u32(1))) / _S529;
-    return _S530;
+    var _S532 : vec2<u32> = vec2<u32>(u32(5));
+    var _S533 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S532 - vec2<u32>(u32(1))) / _S532;
+    return _S533;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S531 : u32 = square_1 % columns_1;
-    var _S532 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S531, _S532);
-    var _S533 : vec2<u32> = vec2<u32>(u32(5));
-    var _S534 : vec2<u32> = at_16 * _S533;
-    var _S535 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S533;
-    return min(_S534 + _S535, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S534 : u32 = square_1 % columns_1;
+    var _S535 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S534, _S535);
+    var _S536 : vec2<u32> = vec2<u32>(u32(5));
+    var _S537 : vec2<u32> = at_16 * _S536;
+    var _S538 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S536;
+    return min(_S537 + _S538, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S536 : bool;
+    var _S539 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S536 = (at_17.x) < i32(params_0.width_0);
+        _S539 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S536 = false;
+        _S539 = false;
     }
-    if(_S536)
+    if(_S539)
     {
-        _S536 = (at_17.y) < i32(params_0.height_0);
+        _S539 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S536 = false;
+        _S539 = false;
     }
-    return _S536;
+    return _S539;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -7887,23 +7890,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S537 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S538 : bool = number_4 < _S537;
-        item_0.traces_0 = _S538;
-        if(_S538)
+        var _S540 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S541 : bool = number_4 < _S540;
+        item_0.traces_0 = _S541;
+        if(_S541)
         {
-            var _S539 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S539;
+            var _S542 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S542;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S540 : u32 = number_4 - cells_2;
-    var _S541 : vec2<u32> = pixel_that_traces_0(_S540);
-    item_0.at_13 = _S541;
-    var square_3 : u32 = _S540 - pixels_1;
+    var _S543 : u32 = number_4 - cells_2;
+    var _S544 : vec2<u32> = pixel_that_traces_0(_S543);
+    item_0.at_13 = _S544;
+    var square_3 : u32 = _S543 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -7932,82 +7935,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S542 : u32;
+    var _S545 : u32;
     if(is_again_0)
     {
-        _S542 = u32(3);
+        _S545 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S542 = u32(2);
+            _S545 = u32(2);
         }
         else
         {
-            _S542 = u32(1);
+            _S545 = u32(1);
         }
     }
-    item_0.kind_2 = _S542;
+    item_0.kind_2 = _S545;
     if(is_square_0)
     {
-        var _S543 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S543;
+        var _S546 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S546;
     }
-    var _S544 : bool;
+    var _S547 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S542 = real_time_0.again_0;
+            _S545 = real_time_0.again_0;
         }
         else
         {
-            _S542 = count_8;
+            _S545 = count_8;
         }
-        _S544 = square_4 < _S542;
+        _S547 = square_4 < _S545;
     }
     else
     {
-        _S544 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S547 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S544;
+    item_0.traces_0 = _S547;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S542 = u32(2);
+            _S545 = u32(2);
         }
         else
         {
-            _S542 = (frame_0 & (u32(1)));
+            _S545 = (frame_0 & (u32(1)));
         }
-        _S542 = place_of_square_0(_S542, square_4);
+        _S545 = place_of_square_0(_S545, square_4);
     }
     else
     {
-        _S542 = index_of_0(item_0.at_13);
+        _S545 = index_of_0(item_0.at_13);
     }
-    item_0.place_6 = _S542;
+    item_0.place_6 = _S545;
     if(is_square_0)
     {
-        _S542 = real_time_0.pixels_0 + square_4;
+        _S545 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S542 = item_0.place_6;
+        _S545 = item_0.place_6;
     }
-    item_0.slot_0 = _S542;
-    var _S545 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S545;
+    var _S548 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S542 = u32(3266489909);
+        _S545 = u32(3266489909);
     }
     else
     {
-        _S542 = u32(2654435769);
+        _S545 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S545 ^ (_S542)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S548 ^ (_S545)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8025,16 +8028,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S546 : CameraFrame_0;
-    _S546.lens_1 = lens_2;
-    _S546.eye_2 = eye_3;
-    _S546.corner_2 = corner_3;
-    _S546.pixel_x_1 = pixel_x_2;
-    _S546.pixel_y_1 = pixel_y_2;
-    _S546.lens_x_1 = lens_x_2;
-    _S546.lens_y_1 = lens_y_2;
-    _S546.blades_1 = blades_2;
-    return _S546;
+    var _S549 : CameraFrame_0;
+    _S549.lens_1 = lens_2;
+    _S549.eye_2 = eye_3;
+    _S549.corner_2 = corner_3;
+    _S549.pixel_x_1 = pixel_x_2;
+    _S549.pixel_y_1 = pixel_y_2;
+    _S549.lens_x_1 = lens_x_2;
+    _S549.lens_y_1 = lens_y_2;
+    _S549.blades_1 = blades_2;
+    return _S549;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8049,12 +8052,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S547 : Perspective_0;
-    _S547.eye_4 = eye_5;
-    _S547.corner_4 = corner_5;
-    _S547.pixel_x_3 = pixel_x_4;
-    _S547.pixel_y_3 = pixel_y_4;
-    return _S547;
+    var _S550 : Perspective_0;
+    _S550.eye_4 = eye_5;
+    _S550.corner_4 = corner_5;
+    _S550.pixel_x_3 = pixel_x_4;
+    _S550.pixel_y_3 = pixel_y_4;
+    return _S550;
 }
 
 struct Axes_0
@@ -8066,11 +8069,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S548 : Axes_0;
-    _S548.forward_0 = forward_1;
-    _S548.right_5 = right_6;
-    _S548.up_0 = up_1;
-    return _S548;
+    var _S551 : Axes_0;
+    _S551.forward_0 = forward_1;
+    _S551.right_5 = right_6;
+    _S551.up_0 = up_1;
+    return _S551;
 }
 
 struct ThinLens_0
@@ -8083,28 +8086,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S549 : ThinLens_0;
-    _S549.perspective_0 = perspective_1;
-    _S549.lens_x_3 = lens_x_4;
-    _S549.lens_y_3 = lens_y_4;
-    _S549.blades_3 = blades_4;
-    return _S549;
+    var _S552 : ThinLens_0;
+    _S552.perspective_0 = perspective_1;
+    _S552.lens_x_3 = lens_x_4;
+    _S552.lens_y_3 = lens_y_4;
+    _S552.blades_3 = blades_4;
+    return _S552;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S550 : bool;
+    var _S553 : bool;
     if(a_6 == 0.0f)
     {
-        _S550 = b_6 == 0.0f;
+        _S553 = b_6 == 0.0f;
     }
     else
     {
-        _S550 = false;
+        _S553 = false;
     }
-    if(_S550)
+    if(_S553)
     {
         return vec2<f32>(0.0f);
     }
@@ -8131,7 +8134,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S551 : f32 = abs(radius_5);
+    var _S554 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8140,7 +8143,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S551, radius_5);
+    return vec2<f32>(_S554, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8158,9 +8161,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_13 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S552 : f32 = from_0.y;
-    var _S553 : f32 = from_0.x;
-    return vec2<f32>(_S552 + (to_0.y - _S552) * share_13, _S553 + (to_0.x - _S553) * share_13) * vec2<f32>(radius_6);
+    var _S555 : f32 = from_0.y;
+    var _S556 : f32 = from_0.x;
+    return vec2<f32>(_S555 + (to_0.y - _S555) * share_13, _S556 + (to_0.x - _S556) * share_13) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_59 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8180,12 +8183,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S554 : Orthographic_0;
-    _S554.corner_6 = corner_7;
-    _S554.pixel_x_5 = pixel_x_6;
-    _S554.pixel_y_5 = pixel_y_6;
-    _S554.forward_2 = forward_3;
-    return _S554;
+    var _S557 : Orthographic_0;
+    _S557.corner_6 = corner_7;
+    _S557.pixel_x_5 = pixel_x_6;
+    _S557.pixel_y_5 = pixel_y_6;
+    _S557.forward_2 = forward_3;
+    return _S557;
 }
 
 fn Orthographic_ray_0( this_60 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8203,12 +8206,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S555 : Panorama_0;
-    _S555.eye_6 = eye_7;
-    _S555.axes_1 = axes_2;
-    _S555.inverse_size_0 = inverse_size_1;
-    _S555.half_eye_distance_0 = half_eye_distance_1;
-    return _S555;
+    var _S558 : Panorama_0;
+    _S558.eye_6 = eye_7;
+    _S558.axes_1 = axes_2;
+    _S558.inverse_size_0 = inverse_size_1;
+    _S558.half_eye_distance_0 = half_eye_distance_1;
+    return _S558;
 }
 
 fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8235,9 +8238,9 @@ fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_61.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S556 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S557 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_61.eye_6 + (this_61.axes_1.forward_0 * _S557 - this_61.axes_1.right_5 * _S556) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_61.axes_1.forward_0 * _S556 + this_61.axes_1.right_5 * _S557) * vec3<f32>(height_2.x) + this_61.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S559 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S560 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_61.eye_6 + (this_61.axes_1.forward_0 * _S560 - this_61.axes_1.right_5 * _S559) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_61.axes_1.forward_0 * _S559 + this_61.axes_1.right_5 * _S560) * vec3<f32>(height_2.x) + this_61.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8250,12 +8253,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S558 : Fisheye_0;
-    _S558.eye_8 = eye_9;
-    _S558.axes_3 = axes_4;
-    _S558.middle_1 = middle_2;
-    _S558.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S558;
+    var _S561 : Fisheye_0;
+    _S561.eye_8 = eye_9;
+    _S561.axes_3 = axes_4;
+    _S561.middle_1 = middle_2;
+    _S561.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S561;
 }
 
 fn Fisheye_ray_0( this_62 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8318,14 +8321,14 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_31 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S559 : Hit_0 = visit_0(&((*ray_31)), is_any_enough_2, u32(0));
-    return _S559;
+    var _S562 : Hit_0 = visit_0(&((*ray_31)), is_any_enough_2, u32(0));
+    return _S562;
 }
 
 fn WalkTracer_trace_1( ray_32 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S560 : Hit_0 = visit_1(&((*ray_32)), is_any_enough_3, u32(0));
-    return _S560;
+    var _S563 : Hit_0 = visit_1(&((*ray_32)), is_any_enough_3, u32(0));
+    return _S563;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8369,29 +8372,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_33 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S561 : Hit_0 = WalkTracer_trace_1(&(ray_33), false);
-        keep_hit_0(item_1.slot_0, _S561);
+        var _S564 : Hit_0 = WalkTracer_trace_1(&(ray_33), false);
+        keep_hit_0(item_1.slot_0, _S564);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S562 : Sample_0;
-    _S562.direct_0 = direct_1;
-    _S562.light_1 = light_14;
-    _S562.is_shown_0 = is_shown_1;
-    _S562.albedo_0 = albedo_1;
-    _S562.normal_1 = normal_5;
-    _S562.place_0 = place_9;
-    _S562.instance_7 = instance_15;
-    return _S562;
+    var _S565 : Sample_0;
+    _S565.direct_0 = direct_1;
+    _S565.light_1 = light_14;
+    _S565.is_shown_0 = is_shown_1;
+    _S565.albedo_0 = albedo_1;
+    _S565.normal_1 = normal_5;
+    _S565.place_0 = place_9;
+    _S565.instance_7 = instance_15;
+    return _S565;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S563 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S563, _S563, false, _S563, _S563, _S563, u32(4294967295));
+    var _S566 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S566, _S566, false, _S566, _S566, _S566, u32(4294967295));
 }
 
 fn Item_is_cell_0( this_65 : Item_0) -> bool
@@ -8401,28 +8404,28 @@ fn Item_is_cell_0( this_65 : Item_0) -> bool
 
 fn Key_voxel_0( this_66 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S564 : u32 = Key_level_0(this_66);
-    var bits_4 : u32 = ((u32(1) << (_S564))) - u32(1);
+    var _S567 : u32 = Key_level_0(this_66);
+    var bits_4 : u32 = ((u32(1) << (_S567))) - u32(1);
     var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_66)))))));
-    return (((this_66.cube_0) << (vec3<u32>(u32(i32(_S564)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S564))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S564)))) & (bits_4))));
+    return (((this_66.cube_0) << (vec3<u32>(u32(i32(_S567)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S567))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S567)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S565 : Path_0;
-    _S565.sampler_0 = sampler_5;
-    _S565.bounce_0 = bounce_4;
-    _S565.event_0 = event_2;
-    _S565.kinds_0 = kinds_1;
-    _S565.scattered_0 = scattered_5;
-    _S565.beta_0 = beta_1;
-    _S565.pdf_1 = pdf_14;
-    _S565.normal_0 = normal_6;
-    _S565.selection_0 = selection_5;
-    _S565.passed_t_0 = passed_t_1;
-    _S565.inside_0 = inside_8;
-    _S565.is_clipped_0 = is_clipped_1;
-    return _S565;
+    var _S568 : Path_0;
+    _S568.sampler_0 = sampler_5;
+    _S568.bounce_0 = bounce_4;
+    _S568.event_0 = event_2;
+    _S568.kinds_0 = kinds_1;
+    _S568.scattered_0 = scattered_5;
+    _S568.beta_0 = beta_1;
+    _S568.pdf_1 = pdf_14;
+    _S568.normal_0 = normal_6;
+    _S568.selection_0 = selection_5;
+    _S568.passed_t_0 = passed_t_1;
+    _S568.inside_0 = inside_8;
+    _S568.is_clipped_0 = is_clipped_1;
+    return _S568;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8432,9 +8435,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S566 : f32 = z_1.z;
+    var _S569 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S566 < 0.0f)
+    if(_S569 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -8442,12 +8445,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_1 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S566);
-    var _S567 : f32 = z_1.x;
-    var _S568 : f32 = z_1.y;
-    var b_7 : f32 = _S567 * _S568 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_1 * _S567 * _S567 * a_7, sign_1 * b_7, - sign_1 * _S567);
-    (*y_6) = vec3<f32>(b_7, sign_1 + _S568 * _S568 * a_7, - _S568);
+    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S569);
+    var _S570 : f32 = z_1.x;
+    var _S571 : f32 = z_1.y;
+    var b_7 : f32 = _S570 * _S571 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_1 * _S570 * _S570 * a_7, sign_1 * b_7, - sign_1 * _S570);
+    (*y_6) = vec3<f32>(b_7, sign_1 + _S571 * _S571 * a_7, - _S571);
     return;
 }
 
@@ -8458,9 +8461,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S569 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S569);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S569);
+    var _S572 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S572);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S572);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8470,41 +8473,41 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_8, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S570 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S570);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S570);
+    var _S573 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S573);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S573);
 }
 
 fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S571 : Surface_0;
-    _S571.origin_9 = origin_11;
-    _S571.normal_3 = normal_9;
-    _S571.face_2 = face_11;
-    _S571.instance_11 = instance_16;
-    return _S571;
+    var _S574 : Surface_0;
+    _S574.origin_9 = origin_11;
+    _S574.normal_3 = normal_9;
+    _S574.face_2 = face_11;
+    _S574.instance_11 = instance_16;
+    return _S574;
 }
 
 fn Walker_x24init_0( path_14 : Path_0,  ray_34 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S572 : Walker_0;
-    _S572.path_0 = path_14;
-    _S572.ray_10 = ray_34;
-    _S572.is_shadow_ray_0 = is_shadow_ray_1;
-    _S572.light_0 = light_15;
-    _S572.direction_4 = direction_30;
-    _S572.path_origin_0 = path_origin_3;
-    _S572.shadow_inside_0 = shadow_inside_3;
-    _S572.boundaries_0 = boundaries_1;
-    _S572.relocates_0 = relocates_3;
-    _S572.path_relocates_0 = path_relocates_3;
-    _S572.camera_ray_0 = camera_ray_2;
-    _S572.way_3 = way_7;
-    _S572.has_shown_0 = has_shown_1;
-    _S572.asks_cache_0 = asks_cache_1;
-    _S572.life_0 = life_3;
-    _S572.is_at_cell_0 = is_at_cell_1;
-    return _S572;
+    var _S575 : Walker_0;
+    _S575.path_0 = path_14;
+    _S575.ray_10 = ray_34;
+    _S575.is_shadow_ray_0 = is_shadow_ray_1;
+    _S575.light_0 = light_15;
+    _S575.direction_4 = direction_30;
+    _S575.path_origin_0 = path_origin_3;
+    _S575.shadow_inside_0 = shadow_inside_3;
+    _S575.boundaries_0 = boundaries_1;
+    _S575.relocates_0 = relocates_3;
+    _S575.path_relocates_0 = path_relocates_3;
+    _S575.camera_ray_0 = camera_ray_2;
+    _S575.way_3 = way_7;
+    _S575.has_shown_0 = has_shown_1;
+    _S575.asks_cache_0 = asks_cache_1;
+    _S575.life_0 = life_3;
+    _S575.is_at_cell_0 = is_at_cell_1;
+    return _S575;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8512,7 +8515,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S573 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S576 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8529,13 +8532,13 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S574 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S574.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S574.grid_from_world_0.translation_0), _S573, face_12, _S573 + on_face_2));
-    var normal_10 : vec3<f32> = world_normal_0(_S574, face_12);
+    var _S577 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_12 : vec3<f32> = Transform_point_0(_S577.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S577.grid_from_world_0.translation_0), _S576, face_12, _S576 + on_face_2));
+    var normal_10 : vec3<f32> = world_normal_0(_S577, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S575 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S575));
-    path_15.pdf_1 = _S575;
+    var _S578 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S578));
+    path_15.pdf_1 = _S578;
     var receiver_29 : Receiver_0 = Receiver_x24init_0(origin_12, normal_10);
     path_15.selection_0 = Lights_selection_0(receiver_29);
     path_15.normal_0 = normal_10;
@@ -8558,30 +8561,30 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_67 : Item_0) -> bool
 {
-    var _S576 : bool;
+    var _S579 : bool;
     if(Item_is_cell_0(this_67))
     {
-        _S576 = true;
+        _S579 = true;
     }
     else
     {
         if((this_67.kind_2) == u32(1))
         {
-            _S576 = has_0(u32(1));
+            _S579 = has_0(u32(1));
         }
         else
         {
-            _S576 = false;
+            _S579 = false;
         }
     }
-    return _S576;
+    return _S579;
 }
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
     var ray_36 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
-    var _S577 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_36, false, _S577, _S577, _S577, in_air_0(), u32(0), true, true, ray_36, 0.0f, false, asks_cache_2, u32(10), false);
+    var _S580 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_36, false, _S580, _S580, _S580, in_air_0(), u32(0), true, true, ray_36, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn Item_start_0( this_68 : Item_0) -> Walker_0
@@ -8590,10 +8593,10 @@ fn Item_start_0( this_68 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_68, &(rank_8));
-        var _S578 : Walker_0 = at_cell_0(key_6, rank_8, this_68.sampler_2);
-        return _S578;
+        var _S581 : Walker_0 = at_cell_0(key_6, rank_8, this_68.sampler_2);
+        return _S581;
     }
-    var _S579 : CameraFrame_0 = FrameParams_camera_0();
+    var _S582 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
     if((this_68.kind_2) == u32(3))
     {
@@ -8601,7 +8604,7 @@ fn Item_start_0( this_68 : Item_0) -> Walker_0
     }
     else
     {
-        camera_2 = _S579;
+        camera_2 = _S582;
     }
     return at_camera_0(this_68.at_13, camera_2, this_68.sampler_2, Item_asks_cache_0(this_68));
 }
@@ -8640,25 +8643,25 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S580 : Slot_0;
-    _S580.item_2 = item_3;
-    _S580.own_3 = own_4;
-    _S580.lent_0 = lent_1;
-    return _S580;
+    var _S583 : Slot_0;
+    _S583.item_2 = item_3;
+    _S583.own_3 = own_4;
+    _S583.lent_0 = lent_1;
+    return _S583;
 }
 
 fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    var _S581 : bool;
+    var _S584 : bool;
     if(!has_0(u32(1024)))
     {
-        _S581 = true;
+        _S584 = true;
     }
     else
     {
-        _S581 = Hit_is_miss_0(hit_23);
+        _S584 = Hit_is_miss_0(hit_23);
     }
-    if(_S581)
+    if(_S584)
     {
         return false;
     }
@@ -8669,36 +8672,36 @@ fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
         {
             if((material_18.ior_0) == 1.0f)
             {
-                _S581 = true;
+                _S584 = true;
             }
             else
             {
-                _S581 = (params_0.clear_shadows_0) != u32(0);
+                _S584 = (params_0.clear_shadows_0) != u32(0);
             }
         }
         else
         {
-            _S581 = false;
+            _S584 = false;
         }
-        return _S581;
+        return _S584;
     }
     if((material_18.transmission_0) > 0.0f)
     {
-        _S581 = true;
+        _S584 = true;
     }
     else
     {
-        _S581 = (material_18.metallic_0) > 0.0f;
+        _S584 = (material_18.metallic_0) > 0.0f;
     }
-    if(_S581)
+    if(_S584)
     {
-        _S581 = true;
+        _S584 = true;
     }
     else
     {
-        _S581 = (material_18.specular_0) > 0.0f;
+        _S584 = (material_18.specular_0) > 0.0f;
     }
-    return _S581;
+    return _S584;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8710,29 +8713,29 @@ fn set_left_0( slot_8 : u32)
 fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S582 : bool;
+    var _S585 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S582 = true;
+        _S585 = true;
     }
     else
     {
-        _S582 = Inside_is_in_0(path_16.inside_0);
+        _S585 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S582)
+    if(_S585)
     {
         return false;
     }
     var material_19 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_19.metallic_0) > 0.0f)
     {
-        _S582 = true;
+        _S585 = true;
     }
     else
     {
-        _S582 = (material_19.transmission_0) > 0.0f;
+        _S585 = (material_19.transmission_0) > 0.0f;
     }
-    if(_S582)
+    if(_S585)
     {
         return false;
     }
@@ -8741,13 +8744,13 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S582 = true;
+        _S585 = true;
     }
     else
     {
-        _S582 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
+        _S585 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
     }
-    if(_S582)
+    if(_S585)
     {
         return false;
     }
@@ -8762,23 +8765,23 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S583 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S583.x) & (u32(1023)))) | (((((u32(_S583.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S583.z) & (u32(1023)))) << (u32(20))))));
+    var _S586 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S586.x) & (u32(1023)))) | (((((u32(_S586.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S586.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S584 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S585 : u32;
+    var _S587 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S588 : u32;
     if(sample_24.is_shown_0)
     {
-        _S585 = u32(1073741824);
+        _S588 = u32(1073741824);
     }
     else
     {
-        _S585 = u32(0);
+        _S588 = u32(0);
     }
-    var normal_12 : u32 = (_S584 | (_S585));
+    var normal_12 : u32 = (_S587 | (_S588));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -8792,16 +8795,16 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_18 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S586 : u32;
+    var _S589 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S586 = (bitcast<u32>((at_19.ray_10.t_max_0)));
+        _S589 = (bitcast<u32>((at_19.ray_10.t_max_0)));
     }
     else
     {
-        _S586 = u32(0);
+        _S589 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S586, word_10));
+    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S589, word_10));
     set_scratch_row_0(u32(7), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.origin_0.xy))));
     set_scratch_row_0(u32(8), this_69.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_10.origin_0.z, at_19.ray_10.direction_0.x)))));
     set_scratch_row_0(u32(9), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.direction_0.yz))));
@@ -8810,10 +8813,10 @@ fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_1
 
 fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S587 : Sample_0 = sample_25;
-    _S587.light_1 = vec3<f32>(0.0f);
-    _S587.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_70.own_3, _S587);
+    var _S590 : Sample_0 = sample_25;
+    _S590.light_1 = vec3<f32>(0.0f);
+    _S590.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_70.own_3, _S590);
     scratch_0[u32(3) * real_time_0.slots_0 + this_70.own_3][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_70, at_20, instance_19, face_14);
     return;
@@ -8821,16 +8824,16 @@ fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S588 : f32;
+    var _S591 : f32;
     if(sample_26.is_shown_0)
     {
-        _S588 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S591 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S588 = 0.0f;
+        _S591 = 0.0f;
     }
-    return _S588;
+    return _S591;
 }
 
 fn Item_end_0( this_71 : Item_0,  sample_27 : Sample_0)
@@ -8877,9 +8880,9 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S589 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S589;
-        var _S590 : Hit_0 = miss_0();
+        var _S592 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S592;
+        var _S593 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
         var instance_20 : u32;
         var face_15 : u32;
@@ -8887,10 +8890,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S591 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S590;
+            var _S594 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S593;
             instance_20 = key_8.instance_9;
-            face_15 = _S591;
+            face_15 = _S594;
         }
         else
         {
@@ -8899,16 +8902,16 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
             instance_20 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S592 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S592, _S592);
+        var _S595 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S595, _S595);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S593 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S593)
+            var _S596 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S596)
             {
                 Slot_keep_first_0(slot_10, at_21, instance_20, face_15, hit_25.t_0, sample_29);
             }
@@ -8949,15 +8952,15 @@ fn Slot_instance_0( this_75 : Slot_0) -> u32
 fn Slot_scatter_0( this_76 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S594 : vec3<f32> = origin_in_0(this_76.own_3);
-    surface_7.origin_9 = _S594;
-    var _S595 : u32 = Slot_face_0(this_76);
-    surface_7.face_2 = _S595;
-    var _S596 : u32 = Slot_instance_0(this_76);
-    surface_7.instance_11 = _S596;
-    var _S597 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S596), _S595);
-    surface_7.normal_3 = _S597;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S594, _S597);
+    var _S597 : vec3<f32> = origin_in_0(this_76.own_3);
+    surface_7.origin_9 = _S597;
+    var _S598 : u32 = Slot_face_0(this_76);
+    surface_7.face_2 = _S598;
+    var _S599 : u32 = Slot_instance_0(this_76);
+    surface_7.instance_11 = _S599;
+    var _S600 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S599), _S598);
+    surface_7.normal_3 = _S600;
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S597, _S600);
     var path_17 : Path_0 = path_from_0(this_76.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_30);
     var bsdf_2 : MaterialBsdf_0;
@@ -8988,18 +8991,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S598 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S598, _S598);
-    var _S599 : bool;
+    var _S601 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S601, _S601);
+    var _S602 : bool;
     if(item_5.traces_0)
     {
-        _S599 = !is_over_0(item_5.slot_0);
+        _S602 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S599 = false;
+        _S602 = false;
     }
-    if(_S599)
+    if(_S602)
     {
         first_candidates_0 = real_time_0.candidates_0;
         var next_9 : NextRays_0 = no_rays_0();
@@ -9016,20 +9019,20 @@ fn Slot_bounce_0( this_78 : Slot_0) -> u32
 
 fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S600 : bool;
+    var _S603 : bool;
     if(Item_is_cell_0(this_79.item_2))
     {
-        _S600 = (Slot_bounce_0(this_79)) == u32(1);
+        _S603 = (Slot_bounce_0(this_79)) == u32(1);
     }
     else
     {
-        _S600 = false;
+        _S603 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S600)
+    if(_S603)
     {
-        var _S601 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
-        direction_32 = _S601;
+        var _S604 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
+        direction_32 = _S604;
     }
     else
     {
@@ -9046,20 +9049,20 @@ fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_80 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S602 : bool;
+    var _S605 : bool;
     if(Item_is_cell_0(this_80.item_2))
     {
-        _S602 = (Slot_bounce_0(this_80)) == u32(1);
+        _S605 = (Slot_bounce_0(this_80)) == u32(1);
     }
     else
     {
-        _S602 = false;
+        _S605 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S602)
+    if(_S605)
     {
-        var _S603 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
-        direction_33 = _S603;
+        var _S606 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
+        direction_33 = _S606;
     }
     else
     {
@@ -9094,16 +9097,16 @@ fn Slot_walk_0( this_82 : Slot_0)
     var end_4 : u32 = end_word_0(this_82.own_3);
     var pdf_19 : f32;
     var ray_39 : Ray_0 = Ray_x24init_0(origin_in_0(this_82.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_82.own_3)))), (bitcast<f32>((end_4))));
-    var _S604 : i32;
+    var _S607 : i32;
     if(end_4 == u32(0))
     {
-        _S604 = i32(1);
+        _S607 = i32(1);
     }
     else
     {
-        _S604 = i32(0);
+        _S607 = i32(0);
     }
-    var turn_0 : u32 = u32(_S604);
+    var turn_0 : u32 = u32(_S607);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9113,34 +9116,34 @@ fn Slot_walk_0( this_82 : Slot_0)
         {
             break;
         }
-        var _S605 : bool = turn_0 == u32(1);
-        if(_S605)
+        var _S608 : bool = turn_0 == u32(1);
+        if(_S608)
         {
             ray_39 = Slot_ray_0(this_82, &(pdf_19));
         }
-        var _S606 : bool = turn_0 == u32(0);
-        var _S607 : Hit_0 = WalkTracer_trace_0(&(ray_39), _S606);
-        var _S608 : bool;
-        if(_S606)
+        var _S609 : bool = turn_0 == u32(0);
+        var _S610 : Hit_0 = WalkTracer_trace_0(&(ray_39), _S609);
+        var _S611 : bool;
+        if(_S609)
         {
-            _S608 = leaves_0(_S607, true);
+            _S611 = leaves_0(_S610, true);
         }
         else
         {
-            _S608 = false;
+            _S611 = false;
         }
-        if(_S608)
+        if(_S611)
         {
             set_left_0(this_82.own_3);
             return;
         }
-        if(_S605)
+        if(_S608)
         {
-            keep_hit_0(this_82.own_3, _S607);
+            keep_hit_0(this_82.own_3, _S610);
         }
         else
         {
-            if(!Hit_is_miss_0(_S607))
+            if(!Hit_is_miss_0(_S610))
             {
                 Slot_darken_0(this_82);
             }
@@ -9157,20 +9160,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var slot_14 : Slot_0;
-    var _S609 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S609;
+    var _S612 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S612;
     slot_14.own_3 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S610 : bool;
+    var _S613 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S610 = !is_over_0(slot_14.own_3);
+        _S613 = !is_over_0(slot_14.own_3);
     }
     else
     {
-        _S610 = false;
+        _S613 = false;
     }
-    if(_S610)
+    if(_S613)
     {
         Slot_walk_0(slot_14);
     }
@@ -9193,9 +9196,9 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S611 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S611);
-    sample_30.is_shown_0 = ((_S611 & (u32(1073741824)))) != u32(0);
+    var _S614 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S614);
+    sample_30.is_shown_0 = ((_S614 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9214,10 +9217,10 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_83.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_83.lent_0)))));
     }
-    var _S612 : f32 = at_22.path_0.pdf_1;
-    var _S613 : Ray_0 = Slot_ray_1(this_83, &(_S612));
-    at_22.path_0.pdf_1 = _S612;
-    at_22.ray_10 = _S613;
+    var _S615 : f32 = at_22.path_0.pdf_1;
+    var _S616 : Ray_0 = Slot_ray_1(this_83, &(_S615));
+    at_22.path_0.pdf_1 = _S615;
+    at_22.ray_10 = _S616;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_83)), Slot_face_0(this_83));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9227,7 +9230,7 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S613;
+    at_22.camera_ray_0 = _S616;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_83.item_2);
@@ -9236,7 +9239,7 @@ fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_83.item_2))
     {
         var rank_10 : u32;
-        var _S614 : Key_0 = Item_key_2(this_83.item_2, &(rank_10));
+        var _S617 : Key_0 = Item_key_2(this_83.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9262,10 +9265,10 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_84.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_84.lent_0)))));
     }
-    var _S615 : f32 = at_23.path_0.pdf_1;
-    var _S616 : Ray_0 = Slot_ray_1(this_84, &(_S615));
-    at_23.path_0.pdf_1 = _S615;
-    at_23.ray_10 = _S616;
+    var _S618 : f32 = at_23.path_0.pdf_1;
+    var _S619 : Ray_0 = Slot_ray_1(this_84, &(_S618));
+    at_23.path_0.pdf_1 = _S618;
+    at_23.ray_10 = _S619;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_84)), Slot_face_0(this_84));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9275,7 +9278,7 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S616;
+    at_23.camera_ray_0 = _S619;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_84.item_2);
@@ -9284,7 +9287,7 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_84.item_2))
     {
         var rank_11 : u32;
-        var _S617 : Key_0 = Item_key_2(this_84.item_2, &(rank_11));
+        var _S620 : Key_0 = Item_key_2(this_84.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9298,21 +9301,21 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S618 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S618;
+    var _S621 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S621;
     var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_10);
     if(leaves_0(hit_27, false))
     {
         set_left_0(slot_15.own_3);
         return false;
     }
-    var _S619 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S619;
+    var _S622 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S622;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S620 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S620;
+        var _S623 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S623;
     }
     else
     {
@@ -9339,10 +9342,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S619;
-    var _S621 : Path_0 = at_24.path_0;
-    var _S622 : NextRays_0 = PathTracingOf_advance_2(&(_S621), at_24.ray_10, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S621;
+    var emitted_6 : vec3<f32> = _S622;
+    var _S624 : Path_0 = at_24.path_0;
+    var _S625 : NextRays_0 = PathTracingOf_advance_2(&(_S624), at_24.ray_10, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S624;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9359,34 +9362,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S623 : bool = thread_2 < u32(2);
-    if(_S623)
+    var _S626 : bool = thread_2 < u32(2);
+    if(_S626)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S624 : i32;
+    var _S627 : i32;
     if(goes_on_8)
     {
-        _S624 = i32(0);
+        _S627 = i32(0);
     }
     else
     {
-        _S624 = i32(1);
+        _S627 = i32(1);
     }
-    var list_1 : u32 = u32(_S624);
+    var list_1 : u32 = u32(_S627);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S625 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S625;
+        var _S628 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S628;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S623)
+    if(_S626)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9400,26 +9403,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S626 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S626;
+            var _S629 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S629;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S627 : bool;
+        var _S630 : bool;
         if(thread_2 == u32(0))
         {
-            _S627 = more_0 > u32(0);
+            _S630 = more_0 > u32(0);
         }
         else
         {
-            _S627 = false;
+            _S630 = false;
         }
-        if(_S627)
+        if(_S630)
         {
-            var _S628 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S631 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9454,10 +9457,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S629 : u32 = id_4.x;
-    var _S630 : Item_0 = item_of_0(_S629);
-    var item_7 : Item_0 = _S630;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S630, item_7.slot_0, item_7.slot_0);
+    var _S632 : u32 = id_4.x;
+    var _S633 : Item_0 = item_of_0(_S632);
+    var item_7 : Item_0 = _S633;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S633, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9469,38 +9472,38 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S631 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S631;
+        var _S634 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S634;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S632 : bool;
+    var _S635 : bool;
     if(item_7.traces_0)
     {
-        _S632 = !is_left_9(item_7.slot_0);
+        _S635 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S632 = false;
+        _S635 = false;
     }
-    item_7.traces_0 = _S632;
-    append_0(thread_3, _S629, item_7, goes_on_9);
+    item_7.traces_0 = _S635;
+    append_0(thread_3, _S632, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S633 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S633;
-    var _S634 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S634;
+    var _S636 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S636;
+    var _S637 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S637;
     if(slot_18.item_2.traces_0)
     {
-        var _S635 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S635;
+        var _S638 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S638;
         slot_18.own_3 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
@@ -9540,22 +9543,22 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S636 : bool;
+    var _S639 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S636 = is_lent_1;
+        _S639 = is_lent_1;
     }
     else
     {
-        _S636 = false;
+        _S639 = false;
     }
-    if(_S636)
+    if(_S639)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S637 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S637;
+        var _S640 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S640;
         var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_10);
         if(leaves_0(hit_29, false))
         {
@@ -9563,8 +9566,8 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
         }
         else
         {
-            var _S638 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S638)
+            var _S641 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S641)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9585,16 +9588,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S639 : bool;
+    var _S642 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S639 = is_lent_2;
+        _S642 = is_lent_2;
     }
     else
     {
-        _S639 = false;
+        _S642 = false;
     }
-    if(_S639)
+    if(_S642)
     {
         Slot_walk_0(slot_20);
     }
@@ -9605,9 +9608,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_4;
-    var _S640 : bool = !walks_0;
+    var _S643 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S640;
+    var is_met_4 : bool = _S643;
     var hit_30 : Hit_0 = first_1;
     for(;;)
     {
@@ -9620,10 +9623,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S641 : Ray_0 = at_28.ray_10;
-            var _S642 : Hit_0 = WalkTracer_trace_0(&(_S641), at_28.is_shadow_ray_0);
-            at_28.ray_10 = _S641;
-            hit_30 = _S642;
+            var _S644 : Ray_0 = at_28.ray_10;
+            var _S645 : Hit_0 = WalkTracer_trace_0(&(_S644), at_28.is_shadow_ray_0);
+            at_28.ray_10 = _S644;
+            hit_30 = _S645;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -9642,8 +9645,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S643 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S643;
+            var _S646 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S646;
         }
         is_met_4 = false;
     }
@@ -9681,8 +9684,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S644 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S644, miss_0(), true, no_sample_0());
+        var _S647 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S647, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -9693,14 +9696,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S645 : bool = thread_4 == u32(0);
-    if(_S645)
+    var _S648 : bool = thread_4 == u32(0);
+    if(_S648)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S646 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S646);
+    var _S649 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S649);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -9713,22 +9716,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S647 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S647;
+        var _S650 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S650;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S645)
+    if(_S648)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S648 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S648;
+            var _S651 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S651;
         }
         else
         {
@@ -9737,14 +9740,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S649 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S652 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S646;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S649;
     }
     return;
 }

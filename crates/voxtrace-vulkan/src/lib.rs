@@ -15,6 +15,7 @@ mod errors;
 #[cfg(feature = "faults")]
 mod faults;
 mod film;
+mod left;
 mod listing;
 mod method;
 mod pages;

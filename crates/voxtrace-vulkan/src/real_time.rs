@@ -6,8 +6,9 @@ use crate::bindings::Bindings;
 use crate::buffer::Buffer;
 use crate::device::Device;
 use crate::errors::ResultExt;
+use crate::left::{self, Left};
 use crate::passes::{Launch, Passes, WORKGROUP};
-use crate::records::{WaveStep, binding};
+use crate::records::{WAVE_COUNTS_WORDS, WAVE_ROUND_WORDS, WaveStep, binding};
 use crate::variant::{Entry, Variant};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
@@ -23,11 +24,6 @@ const MEMORY_WORDS: u64 = 16;
 const SCRATCH_WORDS: u64 = 20;
 /// Place of the counts of paths in waves: those of the rest, workgroups for them along three axes, and those that are over.
 const REST: u64 = 4;
-/// Place of the counts of paths that leave the waves: how many, and workgroups for them along three axes.
-const LEFT: u64 = 9;
-/// Share of the paths that leave the waves from which on one shader follows all, and for how many frames.
-const MOST_LEFT: f64 = 0.6;
-const FRAMES_WITHOUT_WAVES: u32 = 32;
 /// Lists of rows of squares of pixels, after the pixels.
 const SQUARE_LISTS: u64 = 4;
 /// Words of the counts before the keys of cells, and lists of words behind them.
@@ -36,7 +32,7 @@ const CELL_LISTS: u64 = 3;
 /// Words of the rows of a cell.
 const CELL_WORDS: u64 = 16;
 /// Steps of a frame, at most.
-const MOST_STEPS: u32 = 40;
+const MOST_STEPS: u32 = 40 + 2 * left::MOST_ROUNDS;
 
 /// What a frame of real-time light took.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,10 +74,8 @@ pub struct RealTime {
     /// Whether paths are traced in waves: `shaders/pass/realtime_waves.slang` says how.
     pub in_waves: bool,
     queries: vk::QueryPool,
-    /// How many paths left the waves in the last frame that had them.
-    left: Buffer,
-    /// Frames whose paths one shader follows before waves are tried again, as most paths left them.
-    frames_without_waves: u32,
+    /// What is known of paths that left them.
+    pub left: Left,
     /// Whether the cells are to be cleared.
     is_new: bool,
 }
@@ -93,6 +87,8 @@ struct PixelBuffers {
     scratch: Buffer,
     /// Where paths are traced in waves: those that few steps could not end.
     rest: Option<Buffer>,
+    /// Where paths leave them: counts and queues of the waves of these.
+    queues: Option<Buffer>,
 }
 
 /// A step of a frame: its entry point, and its invocations.
@@ -110,6 +106,10 @@ pub enum Count {
     Rest,
     /// As many as paths have left the waves.
     Left,
+    /// As many as of those have room in waves of their own.
+    Room,
+    /// As many as are under way in a round of these.
+    Round(u32),
 }
 
 impl RealTime {
@@ -127,8 +127,6 @@ impl RealTime {
         let size = size_of::<RealTimeParams>() as u64;
         let params = Buffer::new(device, "real-time parameters", size, usage, MemoryLocation::CpuToGpu)?;
         let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(MOST_STEPS + 1);
-        let usage = vk::BufferUsageFlags::TRANSFER_DST;
-        let left = Buffer::new(device, "real-time counts", 4, usage, MemoryLocation::GpuToCpu)?;
         // SAFETY: the device is alive; `drop` destroys it.
         let queries = unsafe { device.raw.create_query_pool(&info, None) }.context("creating timestamps")?;
         Ok(Self {
@@ -141,15 +139,17 @@ impl RealTime {
             motions: None,
             in_waves: false,
             queries,
-            left,
-            frames_without_waves: 0,
+            left: Left::new(device)?,
             is_new: true,
         })
     }
 
-    /// Makes room for pictures of a size, their paths traced in waves or not. Where either is another one nothing is known of pixels any more.
-    pub fn set_size(&mut self, width: u32, height: u32, in_waves: bool) -> Result<(), TraceError> {
-        let is_same = self.pixels.as_ref().is_some_and(|pixels| pixels.size == (width, height));
+    /// Makes room for pictures of a size, their paths traced in waves or not, which some leave or not. Where size or waves are others nothing is known of pixels any more.
+    pub fn set_size(&mut self, width: u32, height: u32, (in_waves, leave): (bool, bool)) -> Result<(), TraceError> {
+        let is_same = self
+            .pixels
+            .as_ref()
+            .is_some_and(|pixels| pixels.size == (width, height) && pixels.queues.is_some() == leave);
         if is_same && self.in_waves == in_waves {
             return Ok(());
         }
@@ -173,6 +173,10 @@ impl RealTime {
                 true => Some(Buffer::storage(&self.device, "real-time paths", 4 * slots)?),
                 false => None,
             },
+            queues: match leave {
+                true => Some(Left::queues(&self.device, slots as u32)?),
+                false => None,
+            },
         });
         Ok(())
     }
@@ -185,9 +189,10 @@ impl RealTime {
     /// Bytes that it takes.
     pub fn bytes(&self) -> u64 {
         let pixels = self.pixels.iter();
-        let pixels = pixels.flat_map(|pixels| [&pixels.memory, &pixels.scratch].into_iter().chain(&pixels.rest));
-        let cells = [&self.cell_keys, &self.cell_rows, &self.params, &self.left];
-        pixels.chain(cells).chain(&self.motions).map(Buffer::bytes).sum()
+        let pixels = pixels
+            .flat_map(|pixels| [&pixels.memory, &pixels.scratch].into_iter().chain(&pixels.rest).chain(&pixels.queues));
+        let cells = [&self.cell_keys, &self.cell_rows, &self.params];
+        self.left.bytes() + pixels.chain(cells).chain(&self.motions).map(Buffer::bytes).sum::<u64>()
     }
 
     /// Writes what the steps of a frame read, and how instances moved: rows of affine maps. Nothing may be in flight.
@@ -219,6 +224,10 @@ impl RealTime {
             bindings.bind(binding::MEMORY, &pixels.memory);
             bindings.bind(binding::SCRATCH, &pixels.scratch);
             bindings.bind(binding::REST, pixels.rest.as_ref().unwrap_or(nothing));
+            if let Some(queues) = &pixels.queues {
+                bindings.bind(binding::PATHS, &pixels.scratch);
+                bindings.bind(binding::QUEUES, queues);
+            }
         }
     }
 
@@ -226,8 +235,8 @@ impl RealTime {
     pub fn record(
         &self,
         steps: &[Step],
-        passes: &[Passes; 3],
-        variants: [Variant; 3],
+        passes: &[Passes; 4],
+        variants: [Variant; 4],
         bindings: &Bindings,
         (commands, offset): (vk::CommandBuffer, u32),
     ) {
@@ -241,6 +250,14 @@ impl RealTime {
             // SAFETY: as above.
             unsafe { raw.cmd_fill_buffer(commands, self.cell_rows.handle, 0, vk::WHOLE_SIZE, 0) };
         }
+        let queues = self.pixels.as_ref().and_then(|pixels| pixels.queues.as_ref());
+        if let Some(queues) = queues {
+            // SAFETY: as above.
+            unsafe { raw.cmd_fill_buffer(commands, queues.handle, 0, 4 * u64::from(WAVE_COUNTS_WORDS), 0) };
+        }
+        let queues = queues.unwrap_or(&self.cell_keys);
+        let capacity =
+            self.pixels.as_ref().map_or(0, |pixels| self.left.room((pixels.scratch.size / (4 * SCRATCH_WORDS)) as u32));
         barrier(&self.device, commands);
         // Cells that trace.
         fill(2, 1, 0);
@@ -248,13 +265,17 @@ impl RealTime {
         // Workgroups along y and z.
         fill(REST + 2, 2, 1);
         fill(REST + 4, 1, 0);
-        fill(LEFT, 2, 0);
-        fill(LEFT + 2, 2, 1);
+        fill(left::COUNTS, 2, 0);
+        fill(left::COUNTS + 2, 2, 1);
+        // Those that were begun, and the round of the last of them.
+        fill(left::COUNTS + 4, 1, capacity);
+        fill(left::COUNTS + 5, 1, 0);
         bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
         // SAFETY: the pool is alive and not in use.
         unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, MOST_STEPS + 1) };
         self.time(commands, 0);
         for (number, step) in (1..).zip(steps) {
+            let name = step.name;
             // Those that are followed again run beside the rest.
             if !["trace_again", "trace_before"].contains(&step.name) {
                 barrier(&self.device, commands);
@@ -265,39 +286,21 @@ impl RealTime {
                 barrier(&self.device, commands);
             }
             let which = Kind::of(step.name) as usize;
+            let round = if let Count::Round(round) = step.count { round } else { 0 };
             let launch = match step.count {
                 Count::Of(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
                 Count::Rest => Launch::Told(&self.cell_keys, REST as u32 + 1),
-                Count::Left => Launch::Told(&self.cell_keys, LEFT as u32 + 1),
+                Count::Left => Launch::Told(&self.cell_keys, left::COUNTS as u32 + 1),
+                Count::Room => Launch::Groups(capacity.div_ceil(WORKGROUP)),
+                Count::Round(round) => Launch::Told(queues, WAVE_ROUND_WORDS * round + 1),
             };
             let variant = variants[which].real_time(step.name);
-            passes[which].launch_step(variant, bindings, commands, WaveStep::default(), &launch);
+            let step = WaveStep { round, capacity, rounds: self.left.rounds(), ..WaveStep::default() };
+            passes[which].launch_step(variant, bindings, commands, step, &launch);
             self.time(commands, number);
-            if step.name == "trace_left" {
-                let copy = [vk::BufferCopy::default().src_offset(4 * LEFT).size(4)];
-                // SAFETY: both buffers are alive and larger; the counts were written before this step, and the submit lets the host see what it reads.
-                unsafe { raw.cmd_copy_buffer(commands, self.cell_keys.handle, self.left.handle, &copy) };
+            if name == "trace_left" {
+                self.left.record(commands, &self.cell_keys);
             }
-        }
-    }
-
-    /// Whether paths are to leave waves in the next frame. Where most of them do, one shader is quicker, and waves are tried now and then.
-    pub fn paths_leave(&mut self) -> bool {
-        let leave = self.frames_without_waves == 0;
-        self.frames_without_waves = self.frames_without_waves.saturating_sub(1);
-        leave
-    }
-
-    /// Tries waves in the next frame.
-    pub fn try_waves(&mut self) {
-        self.frames_without_waves = 0;
-    }
-
-    /// Learns from a frame of `paths`, which is over, how many left.
-    pub fn learn(&mut self, paths: u32) {
-        let left: u32 = bytemuck::pod_read_unaligned(&self.left.mapped()[..4]);
-        if f64::from(left) > MOST_LEFT * f64::from(paths) {
-            self.frames_without_waves = FRAMES_WITHOUT_WAVES;
         }
     }
 
@@ -320,8 +323,15 @@ impl RealTime {
         // SAFETY: the submit that writes these queries is over.
         unsafe { self.device.raw.get_query_pool_results(self.queries, 0, &mut ticks, flags) }
             .context("real-time light")?;
-        let ms = ticks.windows(2).map(|pair| pair[1].wrapping_sub(pair[0]) as f64 * period * 1e-6);
-        Ok(steps.iter().map(|step| step.name).zip(ms).collect())
+        let mut sums: Vec<(&'static str, f64)> = Vec::new();
+        for (step, pair) in steps.iter().zip(ticks.windows(2)) {
+            let ms = pair[1].wrapping_sub(pair[0]) as f64 * period * 1e-6;
+            match sums.iter_mut().find(|(name, _)| *name == step.name) {
+                Some((_, sum)) => *sum += ms,
+                None => sums.push((step.name, ms)),
+            }
+        }
+        Ok(sums)
     }
 
     /// Ends a frame.
@@ -352,6 +362,8 @@ pub enum Kind {
     Tracing,
     /// It traces paths in waves.
     Waves,
+    /// It traces paths that left those, in waves of their own.
+    Left,
     /// It traces no rays.
     Gathering,
 }
@@ -362,6 +374,7 @@ impl Kind {
         match name {
             "trace" | "trace_left" | "trace_before" | "remember" => Self::Tracing,
             "list_left" => Self::Waves,
+            "begin_left" | "walk_left" | "shade_left" | "finish_left" => Self::Left,
             _ if name.starts_with("trace_") => Self::Waves,
             _ => Self::Gathering,
         }

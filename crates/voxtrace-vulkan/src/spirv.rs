@@ -27,6 +27,8 @@ pub static REALTIME_MATERIALS: Module =
     Module::new("realtime (materials)", include_bytes!("../spirv/realtime.materials.spv"));
 /// Paths of real-time light in waves, among matte things.
 pub static REALTIME_WAVES: Module = Module::new("realtime_waves", include_bytes!("../spirv/realtime_waves.spv"));
+/// Those that left them, as they met other materials, in waves of their own.
+pub static REALTIME_LEFT: Module = Module::new("realtime_left", include_bytes!("../spirv/realtime_left.spv"));
 /// The other steps of real-time light.
 pub static REALTIME_PIXELS: Module = Module::new("realtime_pixels", include_bytes!("../spirv/realtime_pixels.spv"));
 

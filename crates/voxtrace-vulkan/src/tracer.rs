@@ -152,7 +152,7 @@ impl VulkanTracer {
     /// How many paths are traced at once in waves, at most, with [`crate::Traversal::Walk`] and [`voxtrace_core::Integrator::Path`]: those are quicker, and take
     /// 124 bytes a path among matte things, else 220, but no more than a quarter of the memory that is left. 0 makes one shader follow each path from its
     /// camera to its end, which gives the same picture. At first it is what suits the device. Real-time light is in waves of all its paths unless it is 0, or by one shader
-    /// where at first that suits the device.
+    /// where at first that suits the device; of the paths that meet other than matte things, at most so many are in waves at once.
     pub fn with_most_paths(mut self, most_paths: u32) -> Self {
         self.most_paths = Some(most_paths);
         if let Backend::Device(worker) = &mut self.backend {

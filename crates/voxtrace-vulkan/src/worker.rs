@@ -69,7 +69,7 @@ pub struct Worker {
     cast_buffers: Option<(Buffer, Buffer)>,
     show_passes: Option<ShowPasses>,
     /// Of real-time light, those that trace and the others.
-    real_time_passes: Option<[Passes; 3]>,
+    real_time_passes: Option<[Passes; 4]>,
     real_time: Option<RealTime>,
     real_time_parts: Parts,
     /// Whether its rays are traced exactly.

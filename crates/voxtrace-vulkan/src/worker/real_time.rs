@@ -3,6 +3,7 @@
 use super::Worker;
 use crate::capabilities::DeviceKind;
 use crate::commands::Job;
+use crate::left::Left;
 use crate::passes::{Passes, WORKGROUP};
 use crate::picture::Picture;
 use crate::real_time::{Count, Kind, RealTime, RealTimeFrame, Step};
@@ -43,7 +44,7 @@ impl Worker {
         let parts = state.frames.parts;
         let frames = state.frames.frames_of_picture(frame);
         if frames > 1 {
-            state.try_waves();
+            state.left.begin_anew();
         }
         let mut result = Err(TraceError::NoScene);
         for number in 1..=frames {
@@ -80,14 +81,15 @@ impl Worker {
         let whole = Region { x0: 0, y0: 0, x1: frame.width, y1: frame.height };
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
         let (tracing, in_waves) = self.tracing_variant(&params, frame)?;
-        state.set_size(frame.width, frame.height, in_waves)?;
+        state.left.most = self.most_paths.unwrap_or(u32::MAX);
+        state.set_size(frame.width, frame.height, (in_waves, in_waves && tracing.has_materials))?;
         let mut of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
-        let leaves = in_waves && tracing.has_materials && state.paths_leave();
+        let leaves = in_waves && tracing.has_materials && state.left.in_waves();
         if leaves {
             of_frame.flags |= flag::LEAVES;
         }
         let size = (frame.width, frame.height);
-        let steps = steps_of(&of_frame, size, in_waves && (leaves || !tracing.has_materials));
+        let steps = steps_of(&of_frame, size, in_waves && (leaves || !tracing.has_materials), state.left.rounds());
         let variants = self.prepare_real_time(tracing, &steps)?;
         let motions = state.frames.motions(scene);
         state.write(&of_frame, &motions)?;
@@ -102,11 +104,24 @@ impl Worker {
         let dispatch = Dispatch { count: tiles * WORKGROUP, ..Dispatch::default() };
         let step = "real-time light";
         let job = Job { step, work: 0, dispatch, workgroups: Some(tiles), record: &record, then: None };
-        let gpu_ms = self.submitter.run(&job)?.gpu_ms;
-        if leaves {
-            state.learn(threads_that_trace(&of_frame, size) + of_frame.squares);
+        let result = self.submitter.run(&job);
+        // Films have their paths there.
+        match &self.waves {
+            Some(waves) => waves.bind(&self.bindings),
+            None => {
+                [binding::PATHS, binding::QUEUES].into_iter().for_each(|place| self.bindings.bind(place, &self.nothing))
+            }
         }
-        Ok(RealTimeFrame { gpu_ms, frames: 1, passes: state.milliseconds(&steps)?, bytes: state.bytes() })
+        let gpu_ms = result?.gpu_ms;
+        let passes = state.milliseconds(&steps)?;
+        if in_waves && tracing.has_materials {
+            let paths = threads_that_trace(&of_frame, size) + of_frame.squares;
+            let of_paths =
+                |name: &str| matches!(Kind::of(name), Kind::Tracing | Kind::Waves | Kind::Left) && name != "remember";
+            let ms = passes.iter().filter(|(name, _)| of_paths(name)).map(|(_, ms)| ms).sum();
+            state.left.learn(paths, leaves, (!passes.is_empty()).then_some(ms));
+        }
+        Ok(RealTimeFrame { gpu_ms, frames: 1, passes, bytes: state.bytes() })
     }
 
     /// The variant of steps that trace, and whether paths are traced in waves.
@@ -123,17 +138,18 @@ impl Worker {
     }
 
     /// Makes the programs of steps. Returns the variants of each [`Kind`].
-    fn prepare_real_time(&mut self, tracing: Variant, steps: &[Step]) -> Result<[Variant; 3], TraceError> {
+    fn prepare_real_time(&mut self, tracing: Variant, steps: &[Step]) -> Result<[Variant; 4], TraceError> {
         let is_exact = self.is_real_time_exact;
         let gathering = Variant { has_materials: false, ..tracing };
         let passes = self.real_time_passes.get_or_insert_with(|| {
             let module = |module: spirv::Module| if is_exact { module } else { module.fast() };
             let tracing = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME));
             let waves = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME_WAVES));
+            let left = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME_LEFT));
             let gathering = Passes::new(&self.device, &self.bindings, module(spirv::REALTIME_PIXELS));
-            [tracing.with_materials(module(spirv::REALTIME_MATERIALS)), waves, gathering]
+            [tracing.with_materials(module(spirv::REALTIME_MATERIALS)), waves, left, gathering]
         });
-        let variants = [tracing, tracing, gathering];
+        let variants = [tracing, tracing, tracing, gathering];
         for step in steps {
             let which = Kind::of(step.name) as usize;
             passes[which].prepare(variants[which].real_time(step.name))?;
@@ -189,7 +205,7 @@ fn threads_that_trace(params: &RealTimeParams, (width, height): (u32, u32)) -> u
 }
 
 /// The steps of a frame.
-fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool) -> Vec<Step> {
+fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool, rounds: u32) -> Vec<Step> {
     let has = |flag: u32| params.flags & flag != 0;
     let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
     let that_trace = threads_that_trace(params, (width, height));
@@ -202,7 +218,8 @@ fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool
         let all_do = ["trace_first", "trace_light", "trace_rays", "trace_ends"].map(|name| (name, all));
         let others = ["trace_on", "trace_on_rays", "trace_on", "trace_on_rays", "trace_rest"];
         let others = others.map(|name| (name, Count::Rest));
-        let left = [("list_left", all), ("trace_left", Count::Left)].into_iter().filter(|_| has(flag::LEAVES));
+        let left = std::iter::once(("list_left", all)).chain(Left::steps(rounds));
+        let left = left.filter(|_| has(flag::LEAVES));
         let named = first.into_iter().chain(all_do).chain(others).chain(left);
         steps.extend(named.map(|(name, count)| Step { name, count }));
         if again > 0 {

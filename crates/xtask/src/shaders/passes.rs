@@ -153,6 +153,13 @@ pub const PASSES: &[Pass] = &[
         has_frame_in_storage: false,
     },
     Pass {
+        name: "realtime_left",
+        entries: &["begin_left", "finish_left", "shade_left", "walk_left"],
+        variants: &[Variant { suffix: "", has_real_time: true, ..MATERIALS }],
+        has_wgsl: false,
+        has_frame_in_storage: false,
+    },
+    Pass {
         name: "realtime_pixels",
         entries: &[
             "choose_cells",
