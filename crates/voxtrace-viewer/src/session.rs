@@ -15,7 +15,7 @@ pub use messages::Message;
 use crate::benchmark::Benchmark;
 use crate::comparison::{Comparison, backend};
 use crate::cutting::Cutting;
-use crate::dialogs::Dialog;
+use crate::dialogs::{Dialog, LastQuality};
 use crate::engine::{Backend, Light, RealTimeChoice, View};
 use crate::export::Exporting;
 use crate::load::Loading;
@@ -86,6 +86,8 @@ pub struct Session {
     pub below: f32,
     /// The dialog that is open.
     pub dialog: Option<Dialog>,
+    /// What was chosen last, by the names of dialogs.
+    pub(crate) last_qualities: HashMap<&'static str, LastQuality>,
     /// Whether the panels are shown.
     pub has_panels: bool,
     /// Whether the list of keys is shown.
@@ -186,6 +188,7 @@ impl Session {
             wanted_timeline: None,
             below: 0.0,
             dialog: None,
+            last_qualities: HashMap::new(),
             has_panels: true,
             has_help: false,
             has_times: false,

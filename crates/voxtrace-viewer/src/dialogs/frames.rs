@@ -1,6 +1,6 @@
 //! Rendering the frames of a turntable or of a flight through the bookmarks.
 
-use super::{PathField, Quality};
+use super::{PathField, Quality, quality};
 use crate::bookmarks::Bookmarks;
 use crate::export::{Existing, ExportRequest, Job, frame_path};
 use crate::render_command::{RenderCommand, Sequence, quoted};
@@ -75,7 +75,7 @@ impl FramesDialog {
             name: stem,
             seconds: if has_flight { 10.0 } else { 4.0 },
             rate: 30,
-            quality: Quality { samples: 64, ..Quality::of(session) },
+            quality: Quality::of(session, quality::FRAMES, 64),
             existing: Existing::Refuse,
             existing_where: Default::default(),
             flight,

@@ -13,7 +13,7 @@ pub use open::{OpenDialog, SCENE_KINDS, SaveDialog};
 pub use path_field::{MOST_OFFERED, Offer, PathField};
 pub use picture::{PictureDialog, PictureKind};
 pub use plan::PlanDialog;
-pub use quality::{PRESETS, Quality};
+pub use quality::{LastQuality, PRESETS, Quality};
 pub use record::{RecordDialog, RecordKind};
 
 use crate::export::{End, ExportRequest, Outcome};

@@ -1,6 +1,6 @@
 //! Rendering a picture to a file.
 
-use super::{PathField, Quality};
+use super::{PathField, Quality, quality};
 use crate::export::{Existing, ExportRequest, Job, free_name};
 use crate::render_command::RenderCommand;
 use crate::session::Session;
@@ -61,7 +61,7 @@ impl PictureDialog {
         let path = free_name(&session.usual_folder(), &session.stem());
         Self {
             path: PathField::new(&path),
-            quality: Quality::of(session),
+            quality: Quality::of(session, quality::PICTURE, 256),
             aovs: false,
             sixteen_bits: false,
             replaces: false,

@@ -1,5 +1,6 @@
 //! What all rendered pictures have: size, samples, background.
 
+use super::Dialog;
 use crate::session::Session;
 use crate::tr;
 use voxtrace::{Camera, Frame};
@@ -16,10 +17,12 @@ pub const PRESETS: [(&str, [u32; 2]); 5] = [
 pub const LARGEST_EDGE: u32 = 65_536;
 /// Most samples of a pixel.
 pub const MOST_SAMPLES: u32 = 1 << 20;
+/// Names of the dialogs that choose it.
+pub(super) const PICTURE: &str = "picture";
+pub(super) const FRAMES: &str = "frames";
+pub(super) const RECORD: &str = "record";
 /// Most pixels of a film, as `render` has it.
 const MOST_PIXELS: u64 = 1 << 28;
-/// Samples that a dialog begins with.
-const SAMPLES: u32 = 256;
 
 /// Size, samples and background.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,10 +35,25 @@ pub struct Quality {
     pub transparent: bool,
 }
 
+/// What was chosen when a dialog was last used, for when it opens again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LastQuality {
+    /// Where it was not the window's, which may be another one then.
+    size: Option<[u32; 2]>,
+    samples: u32,
+    transparent: bool,
+}
+
 impl Quality {
-    /// Of a picture as large as the window's.
-    pub fn of(session: &Session) -> Self {
-        Self { size: session.size().into(), samples: SAMPLES, transparent: false }
+    /// What the dialog of a name begins with: what was chosen in it last, else a picture as large as the window's with so many samples.
+    pub fn of(session: &Session, dialog: &'static str, samples: u32) -> Self {
+        let window = session.size().into();
+        match session.last_qualities.get(dialog) {
+            Some(last) => {
+                Self { size: last.size.unwrap_or(window), samples: last.samples, transparent: last.transparent }
+            }
+            None => Self { size: window, samples, transparent: false },
+        }
     }
 
     /// Checks size, samples and camera.
@@ -72,5 +90,43 @@ impl Quality {
         let [width, height] = self.size.map(f64::from);
         let of_window = f64::from(session.size().0) * f64::from(session.size().1);
         f64::from(ms_a_sample) / 1e3 * (width * height / of_window) * f64::from(self.samples) * pictures as f64
+    }
+}
+
+impl Session {
+    /// Keeps what was chosen in a dialog that is used, for when it opens again.
+    pub fn remember_quality(&mut self, dialog: &Dialog) {
+        let (name, quality) = match dialog {
+            Dialog::Picture(dialog) => (PICTURE, &dialog.quality),
+            Dialog::Frames(dialog) => (FRAMES, &dialog.quality),
+            Dialog::Record(dialog) => (RECORD, &dialog.quality),
+            _ => return,
+        };
+        let Quality { size, samples, transparent } = *quality;
+        let size = (size != <[u32; 2]>::from(self.size())).then_some(size);
+        self.last_qualities.insert(name, LastQuality { size, samples, transparent });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dialogs::RecordDialog;
+    use voxtrace_vulkan::Traversal;
+
+    #[test]
+    fn a_dialog_begins_with_what_was_chosen_in_it_last_and_with_the_size_of_the_window_as_it_is() {
+        let mut session = Session::new(Traversal::Cpu);
+        let mut dialog = RecordDialog::new(&session);
+        assert_eq!(dialog.quality, Quality { size: session.size().into(), samples: 64, transparent: false });
+        dialog.quality.samples = 16;
+        session.remember_quality(&Dialog::Record(Box::new(dialog.clone())));
+        session.resize(640, 360);
+        assert_eq!(RecordDialog::new(&session).quality, Quality { size: [640, 360], samples: 16, transparent: false });
+        dialog.quality = Quality { size: [1920, 1080], samples: 8, transparent: true };
+        session.remember_quality(&Dialog::Record(Box::new(dialog.clone())));
+        session.resize(800, 600);
+        assert_eq!(RecordDialog::new(&session).quality, dialog.quality);
+        assert_eq!(Quality::of(&session, PICTURE, 256).samples, 256, "each dialog has its own");
     }
 }

@@ -1,6 +1,6 @@
 //! Recording the timeline: to a clip, or to numbered frames, by the program's own `animate`.
 
-use super::{PathField, Quality};
+use super::{PathField, Quality, quality};
 use crate::render_command::{RenderCommand, Sequence};
 use crate::running::RunRequest;
 use crate::session::Session;
@@ -75,7 +75,7 @@ impl RecordDialog {
         let free = (1..).map(name).find(|path| !path.exists()).unwrap_or_default();
         Self {
             path: PathField::new(&free),
-            quality: Quality { samples: 64, ..Quality::of(session) },
+            quality: Quality::of(session, quality::RECORD, 64),
             keeps: false,
             replaces: false,
             replaces_what: String::new(),

@@ -82,9 +82,12 @@ fn go(session: &mut Session, mut dialog: Dialog) {
         }
         Dialog::Open(dialog) => dialog.request().map(|path| session.ask(Command::Load(path.display().to_string()))),
     };
-    if let Err(reason) = asked {
-        session.say(reason, true);
-        session.dialog = Some(dialog);
+    match asked {
+        Ok(()) => session.remember_quality(&dialog),
+        Err(reason) => {
+            session.say(reason, true);
+            session.dialog = Some(dialog);
+        }
     }
 }
 
