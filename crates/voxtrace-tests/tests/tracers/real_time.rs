@@ -358,6 +358,21 @@ fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_
 }
 
 #[test]
+fn films_in_waves_go_on_after_real_time_light_in_waves_among_all_materials() {
+    let Some(device) = device() else { return };
+    let scene = packed(false, true);
+    let mut both = Both::in_waves(&device, &scene, Parts::ALL);
+    let frame = view().samples(1);
+    voxtrace_tests::gpu::film(&mut both.gpu, &frame);
+    both.gpu.show_real_time(&view(), Rate::Full, &both.picture).unwrap();
+    let more = voxtrace_tests::gpu::film(&mut both.gpu, &frame.clone().samples(3));
+    let mut other = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
+    other.set_scene(&scene).unwrap();
+    assert_eq!(more.pixels, voxtrace_tests::gpu::film(&mut other, &frame.samples(3)).pixels);
+    assert_valid(&device);
+}
+
+#[test]
 fn real_time_light_leaves_the_film_as_it_is_and_gives_its_memory_back() {
     let Some(device) = device() else { return };
     let scene = packed(true, false);
