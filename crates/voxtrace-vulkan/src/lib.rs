@@ -15,7 +15,6 @@ mod errors;
 #[cfg(feature = "faults")]
 mod faults;
 mod film;
-mod left;
 mod listing;
 mod method;
 mod pages;

@@ -1,17 +1,19 @@
 //! Real-time light on a device: what it keeps from frame to frame, and the steps of a frame. Twin of `voxtrace-realtime`, whose parts the shaders name;
 //! `docs/realtime.md` lists the steps.
 
+pub mod left;
+
 use crate::barrier::barrier;
 use crate::bindings::Bindings;
 use crate::buffer::Buffer;
 use crate::device::Device;
 use crate::errors::ResultExt;
-use crate::left::{self, Left};
 use crate::passes::{Launch, Passes, WORKGROUP};
 use crate::records::{WAVE_COUNTS_WORDS, WAVE_ROUND_WORDS, WaveStep, binding};
 use crate::variant::{Entry, Variant};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
+use left::Left;
 use std::sync::Arc;
 use voxtrace_core::{Frame, TraceError};
 use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, RealTimeParams, slots, squares};
@@ -52,12 +54,7 @@ impl RealTimeFrame {
     pub(crate) fn after(mut self, before: Self) -> Self {
         self.gpu_ms += before.gpu_ms;
         self.frames += before.frames;
-        for (name, ms) in before.passes {
-            match self.passes.iter_mut().find(|(other, _)| *other == name) {
-                Some((_, sum)) => *sum += ms,
-                None => self.passes.push((name, ms)),
-            }
-        }
+        before.passes.into_iter().for_each(|(name, ms)| add(&mut self.passes, name, ms));
         self
     }
 }
@@ -272,10 +269,9 @@ impl RealTime {
         fill(left::COUNTS + 5, 1, 0);
         bindings.use_in(commands, vk::PipelineBindPoint::COMPUTE, offset);
         // SAFETY: the pool is alive and not in use.
-        unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, MOST_STEPS + 1) };
+        unsafe { raw.cmd_reset_query_pool(commands, self.queries, 0, steps.len() as u32 + 1) };
         self.time(commands, 0);
         for (number, step) in (1..).zip(steps) {
-            let name = step.name;
             // Those that are followed again run beside the rest.
             if !["trace_again", "trace_before"].contains(&step.name) {
                 barrier(&self.device, commands);
@@ -292,13 +288,13 @@ impl RealTime {
                 Count::Rest => Launch::Told(&self.cell_keys, REST as u32 + 1),
                 Count::Left => Launch::Told(&self.cell_keys, left::COUNTS as u32 + 1),
                 Count::Room => Launch::Groups(capacity.div_ceil(WORKGROUP)),
-                Count::Round(round) => Launch::Told(queues, WAVE_ROUND_WORDS * round + 1),
+                Count::Round(_) => Launch::Told(queues, WAVE_ROUND_WORDS * round + 1),
             };
             let variant = variants[which].real_time(step.name);
-            let step = WaveStep { round, capacity, rounds: self.left.rounds(), ..WaveStep::default() };
-            passes[which].launch_step(variant, bindings, commands, step, &launch);
+            let wave = WaveStep { round, capacity, rounds: self.left.rounds(), ..WaveStep::default() };
+            passes[which].launch_step(variant, bindings, commands, wave, &launch);
             self.time(commands, number);
-            if name == "trace_left" {
+            if step.name == "trace_left" {
                 self.left.record(commands, &self.cell_keys);
             }
         }
@@ -326,10 +322,7 @@ impl RealTime {
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
         for (step, pair) in steps.iter().zip(ticks.windows(2)) {
             let ms = pair[1].wrapping_sub(pair[0]) as f64 * period * 1e-6;
-            match sums.iter_mut().find(|(name, _)| *name == step.name) {
-                Some((_, sum)) => *sum += ms,
-                None => sums.push((step.name, ms)),
-            }
+            add(&mut sums, step.name, ms);
         }
         Ok(sums)
     }
@@ -345,6 +338,14 @@ impl Drop for RealTime {
     fn drop(&mut self) {
         // SAFETY: whoever drops it has waited for the work that uses it.
         unsafe { self.device.raw.destroy_query_pool(self.queries, None) };
+    }
+}
+
+/// Adds to the milliseconds of a step.
+fn add(sums: &mut Vec<(&'static str, f64)>, name: &'static str, ms: f64) {
+    match sums.iter_mut().find(|(other, _)| *other == name) {
+        Some((_, sum)) => *sum += ms,
+        None => sums.push((name, ms)),
     }
 }
 

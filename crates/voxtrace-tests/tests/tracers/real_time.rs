@@ -211,6 +211,10 @@ fn more_paths_leave_the_waves_than_have_room_and_have_the_bits_of_the_processor(
         assert!(number > 1 || both.had("shade_left") && both.had("trace_left"), "frame {number}: {:?}", both.steps);
         assert_same_bits(&mut both, &format!("frame {number}"));
     }
+    // A planted fault: another seed.
+    both.gpu.show_real_time(&view().seed(8), Rate::Full, &both.picture).unwrap();
+    let (ours, theirs) = (both.samples(), both.cpu.samples().to_vec());
+    assert!(differing(&ours, &theirs) > 100);
     assert_valid(&device);
 }
 

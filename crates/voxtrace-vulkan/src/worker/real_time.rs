@@ -3,9 +3,9 @@
 use super::Worker;
 use crate::capabilities::DeviceKind;
 use crate::commands::Job;
-use crate::left::Left;
 use crate::passes::{Passes, WORKGROUP};
 use crate::picture::Picture;
+use crate::real_time::left::Left;
 use crate::real_time::{Count, Kind, RealTime, RealTimeFrame, Step};
 use crate::records::{Dispatch, FrameParams, binding};
 use crate::spirv;

@@ -1,9 +1,9 @@
 //! Paths of real-time light that left the waves of matte things: how many rounds the waves of their own have, and whether these are quicker than one shader that follows
 //! all paths. `shaders/pass/realtime_left.slang` says how they go.
 
+use super::Count;
 use crate::buffer::Buffer;
 use crate::device::Device;
-use crate::real_time::Count;
 use crate::records::{WAVE_COUNTS_WORDS, WAVE_ROUND_WORDS};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
