@@ -7,7 +7,9 @@ use crate::report::Report;
 use crate::verbs::convert::save_failure;
 use std::path::Path;
 use voxtrace::PackedScene;
-use voxtrace::packed::{FileErrorKind, LevelCount, Levels, MAX_LEVELS, add_levels, rewrite_for_streaming};
+use voxtrace::packed::{
+    FileErrorKind, LevelCount, LevelProgress, LevelStep, Levels, MAX_LEVELS, add_levels, rewrite_for_streaming,
+};
 
 /// Levels of detail to write.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
@@ -43,21 +45,21 @@ impl LevelsArg {
     }
 
     /// Saves a scene, with the levels that are asked for.
-    pub fn save(self, out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
+    pub fn save(self, out: &Path, packed: &PackedScene, report: &mut Report) -> Result<(), Failure> {
         let saved = match self.levels {
-            None if self.stream => packed.save_for_streaming(out, &mut |level| told(level, report)),
+            None if self.stream => packed.save_for_streaming(out, &mut listener(report)),
             None => packed.save(out),
-            Some(count) => packed.save_with_levels(out, count, &mut |level| told(level, report)),
+            Some(count) => packed.save_with_levels(out, count, &mut listener(report)),
         };
         saved.map_err(|error| if interrupt::is_requested() { interrupt::failure() } else { save_failure(out, &error) })
     }
 
     /// Adds the levels that are asked for to a file that was written.
-    pub fn add(self, out: &Path, report: &Report) -> Result<(), Failure> {
+    pub fn add(self, out: &Path, report: &mut Report) -> Result<(), Failure> {
         let added = match self.levels {
-            None if self.stream => rewrite_for_streaming(out, &mut |level| told(level, report)),
+            None if self.stream => rewrite_for_streaming(out, &mut listener(report)),
             None => return Ok(()),
-            Some(count) => add_levels(out, count, &mut |level| told(level, report)),
+            Some(count) => add_levels(out, count, &mut listener(report)),
         };
         added.map_err(|error| if interrupt::is_requested() { interrupt::failure() } else { save_failure(out, &error) })
     }
@@ -74,10 +76,27 @@ impl LevelsArg {
     }
 }
 
-/// Says that a level is made; whether to go on.
-fn told(level: u32, report: &Report) -> bool {
-    report.remark(&format!("level {level} of detail is made"));
-    !interrupt::is_requested()
+/// Shows how far the work on levels is, until it is to stop.
+fn listener(report: &mut Report) -> impl FnMut(LevelProgress) -> bool {
+    let mut shown = None;
+    move |LevelProgress { step, level, done, total }| {
+        if shown.replace((step, level)) != Some((step, level)) {
+            let name = match (step, level) {
+                (LevelStep::Make, _) => format!("making level {level} of detail"),
+                (LevelStep::Compress, 0) => "compressing the scene".to_owned(),
+                (LevelStep::Compress, _) => format!("compressing level {level}"),
+            };
+            report.begin_work(&name, total);
+        }
+        report.update(done, None);
+        if done == total {
+            report.end();
+            if step == LevelStep::Make {
+                report.remark(&format!("level {level} of detail is made"));
+            }
+        }
+        !interrupt::is_requested()
+    }
 }
 
 /// Opens a level of a native file.

@@ -52,8 +52,10 @@ pub struct Report {
     /// Work done when this part began: it does not count for the speed.
     initial: u64,
     total: u64,
-    /// Pictures that come after this one, and the seconds that each one took so far, and how many there were.
-    following: (usize, f64, u32),
+    /// Pictures that come after this one, and how many there were.
+    following: (usize, u32),
+    /// When the first picture began.
+    first: Option<Instant>,
     /// Files below it are not named when they are written.
     unnamed: Option<PathBuf>,
     warnings: RefCell<Vec<String>>,
@@ -80,7 +82,8 @@ impl Report {
             last: None,
             initial: 0,
             total: 0,
-            following: (0, 0.0, 0),
+            following: (0, 0),
+            first: None,
             unnamed: None,
             warnings: RefCell::default(),
             not_shown: RefCell::default(),
@@ -140,15 +143,16 @@ impl Report {
 
     /// Seconds until all pictures are there, where this one has `left` to go.
     fn left_in_all(&self, left: Option<f64>) -> Option<f64> {
-        let (following, seconds, done) = self.following;
-        let (left, elapsed) = (left?, self.start.elapsed().as_secs_f64());
-        let each = (seconds + elapsed + left) / f64::from(done + 1);
+        let (following, done) = self.following;
+        let left = left?;
+        // What lies between pictures counts, too: they are written, and scenes posed.
+        let each = (self.first?.elapsed().as_secs_f64() + left) / f64::from(done + 1);
         (following > 0).then_some(left + each * following as f64)
     }
 
     /// The share of all pictures that is done, and the seconds that are left, where this one is so far.
     fn of_all(&self, share: f32, left: Option<f64>) -> (f32, Option<f64>) {
-        let (following, _, done) = self.following;
+        let (following, done) = self.following;
         if !self.is_render || following as u64 + u64::from(done) == 0 {
             return (share, left);
         }
@@ -172,6 +176,7 @@ impl Report {
     /// Begins a part of the work: `total` samples of which `done` are there already.
     pub fn begin(&mut self, name: &str, done: u64, total: u64) {
         self.is_render = true;
+        self.first.get_or_insert_with(Instant::now);
         self.start_part(name, done, total);
     }
 
@@ -246,8 +251,7 @@ impl Report {
     /// Ends the part that [`Self::begin`] began.
     pub fn end(&mut self) {
         if self.is_render {
-            self.following.1 += self.start.elapsed().as_secs_f64();
-            self.following.2 += 1;
+            self.following.1 += 1;
         }
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();

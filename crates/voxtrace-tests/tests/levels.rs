@@ -278,7 +278,10 @@ fn levels_are_the_same_bytes_whatever_the_threads_and_however_they_are_written()
     assert_eq!(voxels_of(&PackedScene::open(&alone).unwrap())[0].len(), voxels_of(&level)[0].len());
     // What is stopped changes nothing and leaves nothing.
     let before = std::fs::read_dir(folder.path()).unwrap().count();
-    assert!(packed.save_with_levels(&one, LevelCount::All, &mut |level| level < 2).is_err());
+    assert!(packed.save_with_levels(&one, LevelCount::All, &mut |progress| progress.level < 2).is_err());
+    // Within a level, too.
+    let mut is_first = true;
+    assert!(packed.save_with_levels(&one, LevelCount::All, &mut |_| std::mem::take(&mut is_first)).is_err());
     assert!(bytes == std::fs::read(&one).unwrap());
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), before);
 }

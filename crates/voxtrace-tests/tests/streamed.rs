@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::io::Read;
 use std::path::Path;
 use voxtrace::glam::{IVec3, Mat3, Vec3};
-use voxtrace::packed::{LevelCount, Levels, rewrite_for_streaming};
+use voxtrace::packed::{LevelCount, LevelProgress, LevelStep, Levels, rewrite_for_streaming};
 use voxtrace::{Camera, Material, PackedScene, Scene, Transform, VoxelGrid};
 use voxtrace_core::normals::Normals;
 use voxtrace_core::packed::{StreamHead, StreamedLevels, WholeLevel};
@@ -157,6 +157,33 @@ fn a_file_for_streaming_is_the_scene_and_its_levels() {
     packed.save(&other).unwrap();
     rewrite_for_streaming(&other, &mut |_| true).unwrap();
     assert!(std::fs::read(&other).unwrap() == file.bytes);
+}
+
+#[test]
+fn a_listener_hears_how_far_each_level_is_until_it_is_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let city = voxtrace::scenes::generate("city", Some(2_000_000)).unwrap();
+    let packed = PackedScene::pack(&city).unwrap();
+    let path = folder.path().join("streamed.vxt");
+    let mut heard: Vec<LevelProgress> = Vec::new();
+    let mut listen = |progress| {
+        heard.push(progress);
+        true
+    };
+    packed.save_for_streaming(&path, &mut listen).unwrap();
+    let steps: Vec<&[LevelProgress]> = heard.chunk_by(|a, b| (a.step, a.level) == (b.step, b.level)).collect();
+    let levels = Levels::open(&path).unwrap().count();
+    let made = (1..=levels).map(|level| (LevelStep::Make, level));
+    let expected: Vec<_> = made.chain((0..=levels).rev().map(|level| (LevelStep::Compress, level))).collect();
+    assert_eq!(steps.iter().map(|step| (step[0].step, step[0].level)).collect::<Vec<_>>(), expected);
+    for step in &steps {
+        assert!(step.is_sorted_by_key(|progress| progress.done), "{step:?}");
+        assert!(step.iter().all(|progress| progress.total == step[0].total && progress.done <= progress.total));
+        assert_eq!(step.iter().filter(|progress| progress.done == progress.total).count(), 1, "{step:?}");
+        assert_eq!(step[step.len() - 1].done, step[0].total);
+    }
+    assert_eq!(steps[0][0].total, packed.voxel_count());
+    assert!(steps[0].len() > 3, "{} words of the first level", steps[0].len());
 }
 
 #[test]

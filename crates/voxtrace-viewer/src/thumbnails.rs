@@ -1,17 +1,18 @@
-//! Small pictures of the study's scenes for the welcome. They are part of the program, 57 kB together: rendering them at the start would take
+//! Small pictures of the built-in scenes for the welcome. They are part of the program, 76 kB together: rendering them at the start would take
 //! the processor from the first picture, and a cache would have to be kept right. `cargo xtask pictures thumbnails` renders them.
 
 use egui::{ColorImage, Context, Id, TextureHandle, TextureOptions};
 use std::io::Cursor;
 
 /// Names of scenes and their PNG files.
-const FILES: [(&str, &[u8]); 3] = [
+const FILES: [(&str, &[u8]); 4] = [
     ("city", include_bytes!("../thumbnails/city.png")),
     ("operating-room", include_bytes!("../thumbnails/operating-room.png")),
     ("church", include_bytes!("../thumbnails/church.png")),
+    ("forest", include_bytes!("../thumbnails/forest.png")),
 ];
 
-/// The picture of a scene of the study, decoded once for each window.
+/// The picture of a built-in scene, decoded once for each window.
 pub fn thumbnail(context: &Context, scene: &str) -> Option<TextureHandle> {
     let (name, bytes) = FILES.iter().find(|(name, _)| *name == scene)?;
     let id = Id::new(("thumbnail", name));
@@ -37,10 +38,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_scene_of_the_study_has_a_small_picture() {
+    fn every_built_in_scene_has_a_small_picture() {
         let names: Vec<&str> = FILES.iter().map(|(name, _)| *name).collect();
-        assert_eq!(names, voxtrace::scenes::STUDY_NAMES);
-        assert!(FILES.iter().map(|(_, bytes)| bytes.len()).sum::<usize>() <= 60_000);
+        assert_eq!(names, voxtrace::scenes::NAMES);
+        assert!(FILES.iter().map(|(_, bytes)| bytes.len()).sum::<usize>() <= 80_000);
         for (name, bytes) in FILES {
             let picture = decoded(bytes).unwrap();
             assert_eq!(picture.size, [112, 70], "{name}");

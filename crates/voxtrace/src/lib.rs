@@ -30,9 +30,9 @@ pub use voxtrace_voxelize::{bake, close, cull_hidden, mesh, points, straighten, 
 /// The packed scene: how it is placed, saved and described. Its arrays are for tracers and not public.
 pub mod packed {
     pub use voxtrace_core::packed::{
-        BrickSource, FileError, FileErrorKind, Geometry, LevelCount, LevelSummary, Levels, MAGIC, MAX_LEVELS, Object,
-        Outline, PackError, PackedGrid, PackedInstance, PackedMaterial, PackedScene, Placement, PlacementError,
-        Statistics, StreamError, add_levels, save_streamed,
+        BrickSource, FileError, FileErrorKind, Geometry, LevelCount, LevelListener, LevelProgress, LevelStep,
+        LevelSummary, Levels, MAGIC, MAX_LEVELS, Object, Outline, PackError, PackedGrid, PackedInstance,
+        PackedMaterial, PackedScene, Placement, PlacementError, Statistics, StreamError, add_levels, save_streamed,
     };
     // Nothing compresses in pages.
     #[cfg(not(target_arch = "wasm32"))]

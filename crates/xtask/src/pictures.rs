@@ -10,10 +10,15 @@ const SCENES: [(&str, &[&str]); 4] = [
     ("city", &["--size", "800x500", "--spp", "256"]),
     ("forest", &["--size", "800x500", "--spp", "256"]),
 ];
-/// The scenes of the window's welcome that have a small picture, `crates/voxtrace-viewer/thumbnails/SCENE.png`.
-const THUMBNAIL_SCENES: [&str; 3] = ["church", "operating-room", "city"];
+/// The scenes of the window's welcome, `crates/voxtrace-viewer/thumbnails/SCENE.png`, and how large they are.
+const THUMBNAILS: [(&str, [&str; 2]); 4] = [
+    ("church", ["--voxels", "2M"]),
+    ("operating-room", ["--voxels", "2M"]),
+    ("city", ["--voxels", "2M"]),
+    ("forest", ["--instances", "10000"]),
+];
 /// Options of the small pictures.
-const THUMBNAIL: [&str; 6] = ["--voxels", "2M", "--size", "112x70", "--spp", "512"];
+const THUMBNAIL: [&str; 4] = ["--size", "112x70", "--spp", "512"];
 /// Examples of the library that write one picture, `docs/pictures/library/NAME.png`.
 const EXAMPLES: [&str; 8] =
     ["procedural_grid", "instances", "picking", "editing", "import", "many_lights", "materials", "gpu_or_cpu"];
@@ -51,8 +56,9 @@ pub fn render(names: &[&str]) -> Result<(), String> {
     }
     if is_wanted("thumbnails") {
         let thumbnails = Path::new(env!("CARGO_MANIFEST_DIR")).join("../voxtrace-viewer/thumbnails");
-        for scene in THUMBNAIL_SCENES {
-            render_scene(scene, &THUMBNAIL, &thumbnails.join(scene).with_extension("png"))?;
+        for (scene, size) in THUMBNAILS {
+            let options = [&size[..], &THUMBNAIL[..]].concat();
+            render_scene(scene, &options, &thumbnails.join(scene).with_extension("png"))?;
         }
     }
     if is_wanted("flight") {

@@ -117,7 +117,7 @@ impl Target {
         out: &Path,
         content: Content,
         how: (MemoryArgs, LevelsArg),
-        report: &Report,
+        report: &mut Report,
     ) -> Result<(), Failure> {
         let Self::Foreign(writer) = self else { return write_native(out, content, how, report) };
         let scene = &content.into_scene();
@@ -143,7 +143,7 @@ impl Target {
 
 /// Writes a scene that is open, the window's, as `convert` writes it.
 #[cfg(feature = "view")]
-pub fn write_shown(out: &Path, packed: &PackedScene, report: &Report) -> Result<(), Failure> {
+pub fn write_shown(out: &Path, packed: &PackedScene, report: &mut Report) -> Result<(), Failure> {
     let target = Target::of(out)?;
     target.check(out)?;
     match target {
@@ -156,7 +156,7 @@ fn write_native(
     out: &Path,
     content: Content,
     (memory, levels): (MemoryArgs, LevelsArg),
-    report: &Report,
+    report: &mut Report,
 ) -> Result<(), Failure> {
     let left_out = match &content {
         Content::Scene(scene) => export::native::left_out(scene),
@@ -169,7 +169,7 @@ fn write_native(
     save(out, &packed, levels, report)
 }
 
-fn save(out: &Path, packed: &PackedScene, levels: LevelsArg, report: &Report) -> Result<(), Failure> {
+fn save(out: &Path, packed: &PackedScene, levels: LevelsArg, report: &mut Report) -> Result<(), Failure> {
     outputs::refuse_inputs(out)?;
     levels.save(out, packed, report)?;
     report.wrote(out);

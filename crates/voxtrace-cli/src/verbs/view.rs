@@ -323,12 +323,12 @@ impl Loader for Files {
     fn save(&self, scene: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
         let notes = Arc::new(Mutex::new(Vec::new()));
         let kept = Arc::clone(&notes);
-        let report = Report::to(Box::new(move |said| {
+        let mut report = Report::to(Box::new(move |said| {
             if let Said::Text(text) = said {
                 kept.lock().unwrap_or_else(PoisonError::into_inner).push(text.to_owned());
             }
         }));
-        convert::write_shown(path, scene, &report).map_err(|failure| failure.line())?;
+        convert::write_shown(path, scene, &mut report).map_err(|failure| failure.line())?;
         drop(report);
         Ok(std::mem::take(&mut *notes.lock().unwrap_or_else(PoisonError::into_inner)))
     }

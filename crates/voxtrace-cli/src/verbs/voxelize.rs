@@ -205,7 +205,7 @@ impl VoxelizeArgs {
     }
 
     /// Says what was written, or why not.
-    fn end(&self, written: Result<Written, VoxelizeError>, report: &Report) -> Result<(), Failure> {
+    fn end(&self, written: Result<Written, VoxelizeError>, report: &mut Report) -> Result<(), Failure> {
         let written = written.map_err(|error| match error {
             VoxelizeError::Io(error) => Failure::output(&self.out, &error),
             error => voxelize_failure(self.input(), error),

@@ -61,7 +61,7 @@ pub use device_cells::DeviceCells;
 pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
-pub use levels::{LevelCount, LevelSummary, Levels, MAX_LEVELS, add_levels};
+pub use levels::{LevelCount, LevelListener, LevelProgress, LevelStep, LevelSummary, Levels, MAX_LEVELS, add_levels};
 pub(crate) use lights::{append_lights, covers, deciding_axis, leaf_of};
 pub(crate) use lookup::cell_in_node;
 #[doc(hidden)]

@@ -12,6 +12,8 @@ pub const MOST_OFFERED: usize = 12;
 pub struct PathField {
     /// What was typed.
     pub text: String,
+    /// The ending of the files that are offered; of all where it is empty.
+    ending: &'static str,
     /// What was typed when `offers` were read.
     read_for: Option<String>,
     offers: Vec<Offer>,
@@ -36,6 +38,11 @@ impl PathField {
     /// A field that holds a path.
     pub fn new(path: &Path) -> Self {
         Self { text: path.display().to_string(), ..Self::default() }
+    }
+
+    /// A field that holds a path, and offers files with an ending.
+    pub fn of_ending(path: &Path, ending: &'static str) -> Self {
+        Self { ending, ..Self::new(path) }
     }
 
     /// The path: what was typed, from the user's folder where it begins with `~/`; the last one where several stand
@@ -106,6 +113,9 @@ impl PathField {
             }
             // Links count as what they lead to.
             let is_file = !entry.path().is_dir();
+            if is_file && !name.ends_with(self.ending) {
+                return None;
+            }
             let name = if is_file { name } else { name + "/" };
             Some(Offer { is_file, text: format!("{folder}{name}"), name })
         };
@@ -147,6 +157,9 @@ mod tests {
         assert!(field.complete() && field.text.ends_with("/scenes/"), "{}", field.text);
         assert_eq!(names(&mut field), Vec::<String>::new());
         assert!(!at("nowhere/").complete());
+        // Of files those alone that are asked for.
+        let mut scenes = PathField { ending: ".vxt", ..at("") };
+        assert_eq!(names(&mut scenes), ["scans/", "scenes/", "a.vxt"]);
     }
 
     #[test]

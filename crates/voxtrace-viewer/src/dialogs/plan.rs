@@ -24,7 +24,7 @@ impl PlanDialog {
     pub fn new(session: &Session) -> Self {
         let folder = session.usual_folder();
         Self {
-            plan: PathField::new(&folder.join("")),
+            plan: PathField::of_ending(&folder.join(""), ".toml"),
             folder: PathField::new(&folder.join("voxtrace-bench")),
             quick: true,
             named_after: String::new(),

@@ -14,7 +14,10 @@ pub fn view(ui: &mut Ui, session: &mut Session) {
         session.open.as_ref().map(|open| open.original.cameras.clone()).unwrap_or_default();
     if !cameras.is_empty() {
         let here = session.navigator.camera().name.clone();
-        ComboBox::from_label(tr!("view.camera")).selected_text(here.as_str()).show_ui(ui, |ui| {
+        let is_known = cameras.iter().any(|camera| camera.name == here);
+        // A timeline's, or one that was read from elsewhere.
+        let shown = if is_known { here.as_str() } else { tr!("view.another") };
+        ComboBox::from_label(tr!("view.camera")).selected_text(shown).show_ui(ui, |ui| {
             for camera in &cameras {
                 if ui.selectable_label(camera.name == here, &camera.name).clicked() {
                     session.move_by(Motion::GoTo(camera.clone()));

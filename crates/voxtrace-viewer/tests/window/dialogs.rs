@@ -71,6 +71,32 @@ fn a_picture_is_asked_for_with_what_was_chosen_and_never_over_another_unasked() 
 }
 
 #[test]
+fn enter_is_the_dialogs_own_button_unless_it_ends_a_field_or_something_is_missing() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = panels(in_folder(&folder), Status::default());
+    let enter = |harness: &mut Harness<Session>| {
+        harness.key_press(egui::Key::Enter);
+        harness.run_steps(3);
+        !harness.state_mut().take_commands().is_empty()
+    };
+    click(&mut harness, "Render…");
+    click(&mut harness, "EXR");
+    harness.get_by_role_and_label(Role::SpinButton, "samples a pixel").click();
+    harness.run_steps(3);
+    harness.event(egui::Event::Text("7".into()));
+    assert!(!enter(&mut harness) && harness.state().dialog.is_some(), "it ends the number");
+    let Some(Dialog::Picture(dialog)) = &mut harness.state_mut().dialog else { panic!("it is open") };
+    assert_eq!(dialog.quality.samples, 7);
+    std::fs::write(folder.path().join("mine.png"), "").unwrap();
+    dialog.path = PathField::new(&folder.path().join("mine.png"));
+    dialog.path.is_settled = true;
+    harness.run_steps(3);
+    assert!(!enter(&mut harness) && harness.state().dialog.is_some(), "that file is there already");
+    click(&mut harness, "EXR");
+    assert!(enter(&mut harness) && harness.state().dialog.is_none());
+}
+
+#[test]
 fn a_flight_wants_two_bookmarks_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = panels(in_folder(&folder), Status::default());

@@ -3,10 +3,13 @@
 
 mod block;
 mod materials;
+mod progress;
 mod stored;
 mod window;
 mod write;
 
+pub(super) use progress::tell;
+pub use progress::{LevelListener, LevelProgress, LevelStep};
 pub use stored::{LevelSummary, Levels};
 pub(super) use stored::{ranges_of, scene_of};
 
@@ -31,16 +34,11 @@ pub enum LevelCount {
 
 impl PackedScene {
     /// Saves the scene as [`Self::save`] does, with levels of detail, each made from the one before it brick by brick: a level takes memory for its cells and lights
-    /// alone. Until they are in the file, levels lie beside `path` in files without names. `progress` hears of each that is done, and stops the rest by `false`.
+    /// alone. Until they are in the file, levels lie beside `path` in files without names. `progress` hears how far each is, and stops the rest by `false`.
     ///
     /// # Errors
     /// What the operating system reports; [`std::io::ErrorKind::Interrupted`] where `progress` stops it.
-    pub fn save_with_levels(
-        &self,
-        path: &Path,
-        count: LevelCount,
-        progress: &mut dyn FnMut(u32) -> bool,
-    ) -> Result<(), FileError> {
+    pub fn save_with_levels(&self, path: &Path, count: LevelCount, progress: LevelListener) -> Result<(), FileError> {
         if self.geometry.is_edited {
             return self.compacted().save_with_levels(path, count, progress);
         }
@@ -55,7 +53,7 @@ impl PackedScene {
         &self,
         path: &Path,
         count: LevelCount,
-        progress: &mut dyn FnMut(u32) -> bool,
+        progress: LevelListener,
     ) -> Result<TemporaryFile, FileErrorKind> {
         let levels = self.levels_beside(path, count, progress)?;
         let temporary = TemporaryFile::beside(path)?;
@@ -70,7 +68,7 @@ impl PackedScene {
         &self,
         path: &Path,
         count: LevelCount,
-        progress: &mut dyn FnMut(u32) -> bool,
+        progress: LevelListener,
     ) -> Result<Vec<Arc<Bytes>>, FileErrorKind> {
         let most = match count {
             LevelCount::Some(count) => count.min(MAX_LEVELS),
@@ -85,16 +83,19 @@ impl PackedScene {
             }
             let temporary = TemporaryFile::nameless(path)?;
             let file = temporary.try_clone()?;
-            write::write_level(scene, &file, path).map_err(|error| match error {
+            let (level, total) =
+                (made.len() as u32 + 1, scene.geometry.grids().iter().map(|grid| grid.voxel_count()).sum());
+            let mut told = |done: u64| {
+                tell(progress, LevelProgress { step: LevelStep::Make, level, done: done.min(total), total })
+            };
+            write::write_level(scene, &file, path, &mut told).map_err(|error| match error {
                 StreamError::Io(error) => FileErrorKind::Io(error),
                 StreamError::Pack(error) => FileErrorKind::Invalid(error.to_string().into()),
             })?;
             let bytes = Arc::new(Bytes::map(&file)?);
             below = Some(scene_of(Arc::clone(&bytes), 0..bytes.len(), self)?);
             made.push(bytes);
-            if !progress(made.len() as u32) {
-                return Err(std::io::Error::from(std::io::ErrorKind::Interrupted).into());
-            }
+            told(total)?;
         }
         Ok(made)
     }
@@ -109,7 +110,7 @@ impl PackedScene {
 ///
 /// # Errors
 /// As [`PackedScene::open`] and [`PackedScene::save_with_levels`].
-pub fn add_levels(path: &Path, count: LevelCount, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), FileError> {
+pub fn add_levels(path: &Path, count: LevelCount, progress: LevelListener) -> Result<(), FileError> {
     let failure = |kind| FileError { path: path.into(), kind };
     let scene = PackedScene::open(path)?;
     let written = scene.with_levels_beside(path, count, progress).map_err(failure)?;

@@ -32,8 +32,13 @@ const BATCH: usize = 1 << 10;
 /// Bits of a palette entry.
 const ENTRY_BITS: u32 = 16;
 
-/// Writes the level above `below` into an empty file; others for a while beside `path`.
-pub(super) fn write_level(below: &PackedScene, file: &File, path: &Path) -> Result<(), StreamError> {
+/// Writes the level above `below` into an empty file; others for a while beside `path`. `told` hears how many voxels of `below` are done, and stops the work by an error.
+pub(super) fn write_level(
+    below: &PackedScene,
+    file: &File,
+    path: &Path,
+    told: &mut dyn FnMut(u64) -> io::Result<()>,
+) -> Result<(), StreamError> {
     let materials = below.materials();
     let kinds = Kinds::of(materials);
     let traits: Vec<Traits> = materials.iter().map(Traits::from).collect();
@@ -42,7 +47,7 @@ pub(super) fn write_level(below: &PackedScene, file: &File, path: &Path) -> Resu
         let materials = Materials::new(materials, &kinds, rounding);
         let waiting = TemporaryFile::nameless(path)?;
         let writer = SectionWriter::new(file.try_clone()?, SECTIONS)?;
-        let pass = Pass { below, kinds: &kinds, traits: &traits, rounding, materials, writer, waiting };
+        let pass = Pass { below, kinds: &kinds, traits: &traits, rounding, materials, writer, waiting, told };
         if pass.write(file)? {
             return Ok(());
         }
@@ -59,6 +64,7 @@ struct Pass<'a> {
     materials: Materials<'a>,
     writer: SectionWriter,
     waiting: TemporaryFile,
+    told: &'a mut dyn FnMut(u64) -> io::Result<()>,
 }
 
 /// What is known of a grid when its bricks are written, and where the next ones begin.
@@ -84,12 +90,15 @@ impl Pass<'_> {
         let geometry = &*self.below.geometry;
         let (mut cells, mut grids, mut emitting) = (Vec::new(), Vec::new(), Vec::new());
         let (mut record_words, mut material_words) = (0u64, 0u64);
+        let mut voxels_before = 0;
         self.writer.begin::<u32>(b"BRIK")?;
         for grid in geometry.grids() {
             let (order, levels, low) = order_of(geometry, grid);
-            let Some(found) = self.write_bricks(grid, &order, (&mut record_words, &mut material_words))? else {
+            let words = (&mut record_words, &mut material_words);
+            let Some(found) = self.write_bricks(grid, &order, words, voxels_before)? else {
                 return Ok(false);
             };
+            voxels_before += grid.voxel_count();
             let first_node = (cells.len() / 64) as u32;
             let CellsOfGrid { cells: mut own, base } = cells_of(&levels);
             for cell in own[..base].iter_mut().filter(|cell| **cell & CELL_OCCUPIED != 0) {
@@ -142,11 +151,14 @@ impl Pass<'_> {
         grid: &PackedGrid,
         order: &[IVec3],
         (record_words, material_words): (&mut u64, &mut u64),
+        voxels_before: u64,
     ) -> Result<Option<GridSoFar>, StreamError> {
         let mut found = GridSoFar { voxels: 0, min: IVec3::MAX, max: IVec3::MIN, records: vec![], emitting: vec![] };
         let (geometry, materials) = (&*self.below.geometry, self.below.materials());
         let (traits, kinds, rounding) = (self.traits, self.kinds, self.rounding);
-        for batch in order.chunks(BATCH) {
+        for (number, batch) in order.chunks(BATCH).enumerate() {
+            let share = (number * BATCH) as f64 / order.len() as f64;
+            (self.told)(voxels_before + (grid.voxel_count() as f64 * share) as u64)?;
             let make = |window: &mut Window, &at: &IVec3| {
                 window.load(grid, at);
                 made(window, materials, kinds, rounding)

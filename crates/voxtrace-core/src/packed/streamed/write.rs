@@ -2,7 +2,7 @@
 
 use super::super::file::{STREAMED_VERSION, SectionBytes, section_of, write_sections};
 use super::super::instance_record::InstanceRecord;
-use super::super::levels::{self, LevelCount};
+use super::super::levels::{self, LevelCount, LevelListener, LevelProgress, LevelStep, tell};
 use super::super::lights::morton_order;
 use super::super::material_records::MaterialRecords;
 use super::super::normals::normal_words;
@@ -30,11 +30,11 @@ const BATCH: usize = 256;
 impl PackedScene {
     /// Saves the scene with all levels of detail in compressed chunks, the coarsest level first, for pages that show it while it arrives. With its levels such a file is
     /// about as large as what [`Self::save`] writes without any. It is read into memory, not mapped. Levels are made as by [`Self::save_with_levels`], and `progress` hears
-    /// of them. What was written is read once more before it takes the place of `path`.
+    /// of that and of compressing them. What was written is read once more before it takes the place of `path`.
     ///
     /// # Errors
     /// As [`Self::save_with_levels`].
-    pub fn save_for_streaming(&self, path: &Path, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), FileError> {
+    pub fn save_for_streaming(&self, path: &Path, progress: LevelListener) -> Result<(), FileError> {
         if self.geometry.is_edited {
             return self.compacted().save_for_streaming(path, progress);
         }
@@ -45,11 +45,7 @@ impl PackedScene {
     }
 
     /// The file that is to take the place of `path`.
-    fn streamed_beside(
-        &self,
-        path: &Path,
-        progress: &mut dyn FnMut(u32) -> bool,
-    ) -> Result<TemporaryFile, FileErrorKind> {
+    fn streamed_beside(&self, path: &Path, progress: LevelListener) -> Result<TemporaryFile, FileErrorKind> {
         let levels = self.levels_beside(path, LevelCount::All, progress)?;
         let temporary = TemporaryFile::beside(path)?;
         let sections = 2 + 2 * (levels.len() + 1);
@@ -58,9 +54,9 @@ impl PackedScene {
         for (index, bytes) in levels.iter().enumerate().rev() {
             let level = index as u32 + 1;
             let scene = levels::scene_of(Arc::clone(bytes), 0..bytes.len(), self)?;
-            write_level(&scene.geometry, level, &mut writer, path)?;
+            write_level(&scene.geometry, level, &mut writer, path, progress)?;
         }
-        write_level(&self.geometry, 0, &mut writer, path)?;
+        write_level(&self.geometry, 0, &mut writer, path, progress)?;
         if let Some(tail) = tail_of(self)? {
             writer.section(b"TAIL", &deflated(&tail)?)?;
         }
@@ -79,7 +75,7 @@ impl PackedScene {
 ///
 /// # Errors
 /// As [`PackedScene::open`] and [`PackedScene::save_for_streaming`].
-pub fn rewrite_for_streaming(path: &Path, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), FileError> {
+pub fn rewrite_for_streaming(path: &Path, progress: LevelListener) -> Result<(), FileError> {
     let failure = |kind| FileError { path: path.into(), kind };
     let scene = PackedScene::open(path)?;
     let written = scene.streamed_beside(path, progress).map_err(failure)?;
@@ -159,12 +155,21 @@ fn bricks_of(geometry: &Geometry) -> Vec<Placed> {
 }
 
 /// Writes the front of a level and its chunks, which wait in a file beside `path` until the front is there.
-fn write_level(geometry: &Geometry, level: u32, writer: &mut SectionWriter, path: &Path) -> io::Result<()> {
+fn write_level(
+    geometry: &Geometry,
+    level: u32,
+    writer: &mut SectionWriter,
+    path: &Path,
+    progress: LevelListener,
+) -> io::Result<()> {
     let mut waiting = TemporaryFile::nameless(path)?;
     let bricks = bricks_of(geometry);
     let chunks: Vec<&[Placed]> = bricks.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).collect();
     let mut index = Vec::with_capacity(chunks.len());
+    let total = chunks.len() as u64;
+    let mut told = |done: u64| tell(&mut *progress, LevelProgress { step: LevelStep::Compress, level, done, total });
     for batch in chunks.chunks(BATCH) {
+        told(index.len() as u64)?;
         let made = batch.par_iter().map(|chunk| compressed(geometry, chunk)).collect::<io::Result<Vec<_>>>()?;
         for (record, bytes) in made {
             index.push(record);
@@ -183,7 +188,8 @@ fn write_level(geometry: &Geometry, level: u32, writer: &mut SectionWriter, path
     sections.extend(geometry.normal_section());
     writer.section(&front_tag(level), &deflated(&packed(&sections)?)?)?;
     writer.begin::<u8>(&chunks_tag(level))?;
-    copy(waiting.file(), writer)
+    copy(waiting.file(), writer)?;
+    told(total)
 }
 
 fn compressed(geometry: &Geometry, bricks: &[Placed]) -> io::Result<(ChunkRecord, Vec<u8>)> {

@@ -11,7 +11,7 @@ use super::{Status, under_way};
 use crate::dialogs::{Dialog, PRESETS, Quality, RecordDialog};
 use crate::session::{Command, Session};
 use crate::tr;
-use egui::{Align2, Button, ComboBox, DragValue, ProgressBar, RichText, Ui};
+use egui::{Align2, Button, ComboBox, DragValue, Id, Key, ProgressBar, RichText, Ui};
 
 /// Least width of a dialog, points.
 const WIDTH: f32 = 560.0;
@@ -145,9 +145,13 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// What is missing yet, and the buttons below a dialog.
+/// What is missing yet, and the buttons below a dialog. Enter is the first of them where nothing has the keyboard.
 fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&mut Ui)) -> Option<Click> {
-    let mut clicked = None;
+    let has_keyboard = ui.memory(|memory| memory.focused().is_some());
+    // A field that Enter has just ended had it.
+    let is_free = ui.data_mut(|data| !std::mem::replace(data.get_temp_mut_or(Id::NULL.with(name), true), has_keyboard));
+    let is_entered = is_free && !has_keyboard && ui.input(|input| input.key_pressed(Key::Enter));
+    let mut clicked = (is_entered && missing.is_none()).then_some(Click::Go);
     if let Some(missing) = missing {
         ui.label(RichText::new(missing).color(super::look::error_color(ui)));
     }
