@@ -176,7 +176,15 @@ impl View<'_> {
     ) -> Option<Ray> {
         let scene = self.scene;
         let material = path.material(scene, hit);
-        match path::arrive(scene, &self.lights, &self.limits, path, (ray, hit, material), emitted) {
+        match path::arrive(
+            scene,
+            &self.lights,
+            &self.limits,
+            path,
+            (ray, hit, material),
+            Path::scatter_numbers,
+            emitted,
+        ) {
             Arrival::End => None,
             Arrival::Pass(next) => Some(next),
             Arrival::Scatter(scatter) => {
@@ -242,7 +250,15 @@ impl View<'_> {
         let (mut path, mut light) = (*path, Vec3::ZERO);
         let last = Limits { max_bounces: path.bounce, ..self.limits };
         let material = path.material(self.scene, hit);
-        path::arrive(self.scene, &self.lights, &last, &mut path, (ray, hit, material), &mut light);
+        path::arrive(
+            self.scene,
+            &self.lights,
+            &last,
+            &mut path,
+            (ray, hit, material),
+            Path::scatter_numbers,
+            &mut light,
+        );
         light
     }
 

@@ -12,6 +12,7 @@ use crate::light::many::Asked;
 use crate::light::{self, LightSample, Lights};
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
+use crate::sampler::many::{Draws, Numbers};
 use crate::shadow_catcher::ShadowCatcher;
 use crate::walk::{self, Instructions};
 use glam::Vec3;
@@ -38,6 +39,16 @@ pub struct RenderContext<'a> {
     pub catcher: Option<ShadowCatcher<'a>>,
 }
 
+impl RenderContext<'_> {
+    /// The random numbers of its paths.
+    fn numbers(&self) -> Numbers {
+        match self.frame.integrator {
+            Integrator::Essay => Numbers::Independent,
+            Integrator::Path => Numbers::Stratified,
+        }
+    }
+}
+
 /// Room for the paths of one tile, kept from tile to tile. `rays`, `paths` and `slots` belong to the paths still under
 /// way, `samples` to all.
 #[derive(Default)]
@@ -50,7 +61,10 @@ pub struct Wave {
     samples: Vec<Sample>,
     shadow_rays: ShadowRays,
     counts: RayCounts,
-    /// Places of a few paths for which lights are to be chosen, and these.
+    /// Random numbers of paths, and those that choose lights.
+    draws: Draws,
+    light_draws: Draws,
+    /// Places of some of these for which lights are to be chosen, and the lights.
     asked: Vec<Asked>,
     lights: Vec<Option<LightSample>>,
     room: light::many::Room,
@@ -107,6 +121,7 @@ impl Wave {
     /// Sends the camera rays.
     fn start(&mut self, context: &RenderContext, tile: &Tile, target: u32) {
         let frame = context.frame;
+        self.draws.begin(frame.seed);
         self.samples.clear();
         self.paths.clear();
         self.rays.clear();
@@ -117,19 +132,21 @@ impl Wave {
             for sample in first..target {
                 let sampler =
                     Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
-                let jitter = match frame.integrator {
-                    Integrator::Essay => sampler.independent(DIMENSION_CAMERA),
-                    Integrator::Path => sampler.stratified(DIMENSION_CAMERA),
-                };
-                let (mut path, ray) = Path::from_camera(context.camera, x, y, sampler, jitter);
-                if context.has_media {
-                    path = path.in_medium(context.scene, &ray);
-                }
-                self.slots.push(self.samples.len() as u32);
-                self.paths.push(path);
-                self.rays.push(clip(frame, ray));
+                self.draws.push(&sampler, DIMENSION_CAMERA);
                 self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false, threshold: None });
             }
+        }
+        self.draws.draw(context.numbers(), Instructions::chosen());
+        for (slot, sample) in self.samples.iter().enumerate() {
+            let (x, y) = (tile.region.x0 + sample.column, tile.region.y0 + sample.row);
+            let sampler = self.draws.sampler(slot);
+            let (mut path, ray) = Path::from_camera(context.camera, x, y, sampler, self.draws.get(slot));
+            if context.has_media {
+                path = path.in_medium(context.scene, &ray);
+            }
+            self.slots.push(slot as u32);
+            self.paths.push(path);
+            self.rays.push(clip(frame, ray));
         }
     }
 
@@ -193,7 +210,13 @@ impl Wave {
         let mut materials = [0; PATHS_AT_A_TIME];
         let (paths, hits) = (&self.paths[range.clone()], &self.hits[range.clone()]);
         scene.packed_material_indices(hits, |index| paths[index].meets_surface(&hits[index]), &mut materials);
-        for (index, material) in range.zip(materials) {
+        let seed = context.frame.seed;
+        self.draws.begin(seed);
+        self.light_draws.begin(seed);
+        paths.iter().for_each(|path| self.draws.push(&path.sampler, path.dimension_scatter()));
+        self.draws.draw(context.numbers(), Instructions::chosen());
+        for (place, (index, material)) in range.zip(materials).enumerate() {
+            let drawn = self.draws.get(place);
             let (path, slot) = (&mut self.paths[index], self.slots[index]);
             let sample = &mut self.samples[slot as usize];
             let (ray, hit) = (&self.rays[index], &self.hits[index]);
@@ -212,21 +235,29 @@ impl Wave {
             }
             let radiance = &mut sample.radiance;
             let arrival = match context.frame.integrator {
-                Integrator::Essay => match essay::advance(scene, max_bounces, path, (ray, hit, material), radiance) {
-                    None => path::Arrival::End,
-                    Some(next) => path::Arrival::Pass(next),
-                },
-                Integrator::Path => path::arrive(scene, &context.lights, &limits, path, (ray, hit, material), radiance),
+                Integrator::Essay => {
+                    match essay::advance(scene, max_bounces, path, (ray, hit, material), |_| drawn, radiance) {
+                        None => path::Arrival::End,
+                        Some(next) => path::Arrival::Pass(next),
+                    }
+                }
+                Integrator::Path => {
+                    path::arrive(scene, &context.lights, &limits, path, (ray, hit, material), |_| drawn, radiance)
+                }
             };
             match &arrival {
                 path::Arrival::End => continue,
                 path::Arrival::Scatter(scatter) if scatter.wants_light => {
-                    let u = path.sampler.stratified(path.dimension_light());
-                    self.asked.push(Asked { receiver: *scatter.receiver(), u });
+                    self.light_draws.push(&path.sampler, path.dimension_light());
+                    self.asked.push(Asked { receiver: *scatter.receiver(), u: [0.0; 4] });
                 }
                 _ => {}
             }
             under_way.push((index, arrival));
+        }
+        self.light_draws.draw(Numbers::Stratified, Instructions::chosen());
+        for (place, asked) in self.asked.iter_mut().enumerate() {
+            asked.u = self.light_draws.get(place);
         }
     }
 

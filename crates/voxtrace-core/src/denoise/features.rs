@@ -149,7 +149,7 @@ impl Gather<'_> {
         match frame.integrator {
             Integrator::Essay => {
                 let material = path.material(scene, hit);
-                essay::advance(scene, 0, &mut path.clone(), (ray, hit, material), direct);
+                essay::advance(scene, 0, &mut path.clone(), (ray, hit, material), |_| [0.0; 4], direct);
                 let albedo = || albedo_of(scene.packed_material(hit));
                 (!hit.is_miss()).then(|| Seen { ray: *ray, hit: *hit, albedo: albedo(), is_likely: true })
             }

@@ -22,12 +22,13 @@ pub fn clip(ray: Ray) -> Ray {
 
 /// Adds to `radiance` the light where `ray` ended. Returns the path's next ray, `None` where the path ends: at an
 /// emitter, in the sky, or, black, at the surface after `max_bounces` others. The study has 4 rays, so 3 bounces. `material` is
-/// `Path::material`.
+/// `Path::material`, `draw` draws the independent random numbers of `Path::dimension_scatter`.
 pub fn advance(
     scene: &PackedScene,
     max_bounces: u32,
     path: &mut Path,
     (ray, hit, material): (&Ray, &Hit, u32),
+    draw: impl FnOnce(&Path) -> [f32; 4],
     radiance: &mut Vec3,
 ) -> Option<Ray> {
     if hit.is_miss() {
@@ -42,7 +43,7 @@ pub fn advance(
     if path.bounce == max_bounces {
         return None;
     }
-    let [u, v, ..] = path.sampler.independent(path.dimension_scatter());
+    let [u, v, ..] = draw(path);
     let surface = Surface::new(scene, ray, hit).smoothed(scene, ray, hit, true);
     path.is_clipped = scene.cuts.clips_after(hit);
     path.beta *= material.base_color;

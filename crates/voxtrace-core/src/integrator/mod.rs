@@ -113,6 +113,12 @@ impl Path {
         self.bounce == 0 && self.pdf == 0.0 && self.normal == Vec3::ZERO
     }
 
+    /// The random numbers by which the next surface scatters a path of the integrator `path`.
+    #[inline]
+    pub fn scatter_numbers(&self) -> [f32; 4] {
+        self.sampler.stratified(self.dimension_scatter())
+    }
+
     /// Dimension of the sampler that chooses how the next surface scatters the path.
     pub(crate) fn dimension_scatter(&self) -> u32 {
         1 + 2 * self.event

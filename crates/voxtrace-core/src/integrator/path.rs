@@ -117,7 +117,7 @@ pub fn advance(
     radiance: &mut Vec3,
 ) -> (Option<Ray>, Option<ShadowRay>) {
     let material = path.material(scene, hit);
-    match arrive(scene, lights, limits, path, (ray, hit, material), radiance) {
+    match arrive(scene, lights, limits, path, (ray, hit, material), Path::scatter_numbers, radiance) {
         Arrival::End => (None, None),
         Arrival::Pass(next) => (Some(next), None),
         Arrival::Scatter(scatter) => {
@@ -128,7 +128,7 @@ pub fn advance(
     }
 }
 
-/// The first half of [`advance`]: all that comes before a light is chosen. `material` is `Path::material`.
+/// The first half of [`advance`]: all that comes before a light is chosen. `material` is `Path::material`, `draw` gives what [`Path::scatter_numbers`] does.
 #[inline]
 pub fn arrive<'a>(
     scene: &'a PackedScene,
@@ -136,6 +136,7 @@ pub fn arrive<'a>(
     limits: &Limits,
     path: &mut Path,
     (ray, hit, material): (&Ray, &Hit, u32),
+    draw: impl FnOnce(&Path) -> [f32; 4],
     radiance: &mut Vec3,
 ) -> Arrival<'a> {
     let last = path.receiver(ray);
@@ -162,7 +163,7 @@ pub fn arrive<'a>(
         }
         return Arrival::End;
     }
-    let [u, v, survival, mut lobe] = path.sampler.stratified(path.dimension_scatter());
+    let [u, v, survival, mut lobe] = draw(path);
     let (material, bsdf) = met(scene, &limits.lines, path, (ray, hit, material), &mut lobe);
     if let Some(material) = material {
         let le = lights.emitters.le(material);

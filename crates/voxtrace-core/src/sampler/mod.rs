@@ -3,6 +3,8 @@
 //! and low-discrepancy ones by the Sobol sequence with Owen scrambling by a hash (Burley, "Practical Hash-based Owen
 //! Scrambling", JCGT 9(4), 2020).
 
+pub(crate) mod many;
+
 /// The random numbers of one sample of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampler {
@@ -17,7 +19,7 @@ pub struct Sampler {
 impl Sampler {
     /// The four numbers in [0, 1) of a dimension, independent of those of every other dimension, sample, pixel and
     /// seed.
-    #[inline]
+    #[inline(always)]
     pub fn independent(&self, dimension: u32) -> [f32; 4] {
         // Word by word: compilers make calls of `map`.
         let [x, y, z, w] = pcg4d([self.pixel, self.sample, dimension, self.seed]);
@@ -26,7 +28,7 @@ impl Sampler {
 
     /// Four numbers in [0, 1) of a dimension. The first two, and the last two, of consecutive samples of a pixel are
     /// low-discrepancy points of the unit square, each by itself uniform; pairs, dimensions, pixels and seeds are independent.
-    #[inline]
+    #[inline(always)]
     pub fn stratified(&self, dimension: u32) -> [f32; 4] {
         // Samples are numbered from 0 in `independent`'s third place, dimensions here in its second: 1 and 2 keep the
         // inputs of the two apart.
@@ -35,7 +37,7 @@ impl Sampler {
     }
 
     /// One of the two pairs of a dimension, as words.
-    #[inline]
+    #[inline(always)]
     fn pair(&self, dimension: u32, which: u32) -> [u32; 2] {
         let [order, x, y, _] = pcg4d([self.pixel, dimension, self.seed, which]);
         scrambled_sobol(self.sample, order, [x, y])
@@ -43,7 +45,7 @@ impl Sampler {
 }
 
 /// The point `index` of the two-dimensional Sobol sequence, its order and each coordinate Owen-scrambled by a seed.
-#[inline]
+#[inline(always)]
 fn scrambled_sobol(index: u32, order: u32, seeds: [u32; 2]) -> [u32; 2] {
     let index = owen_of_reversed(index.reverse_bits(), order);
     // The first coordinate is the index with its bits reversed, the second one that of the index times the matrix of
@@ -56,7 +58,7 @@ fn scrambled_sobol(index: u32, order: u32, seeds: [u32; 2]) -> [u32; 2] {
 }
 
 /// Owen scrambling of the word whose bits `reversed` holds in reverse: flips each bit by a hash of those above it.
-#[inline]
+#[inline(always)]
 fn owen_of_reversed(reversed: u32, seed: u32) -> u32 {
     let mut word = reversed.wrapping_add(seed);
     for factor in [0x6c50_b47c, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
@@ -66,7 +68,7 @@ fn owen_of_reversed(reversed: u32, seed: u32) -> u32 {
 }
 
 /// A permutation of four words whose every output bit depends on every input bit.
-#[inline]
+#[inline(always)]
 pub fn pcg4d(words: [u32; 4]) -> [u32; 4] {
     let start = |word: u32| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
     let [x, y, z, w] = words;
@@ -74,7 +76,7 @@ pub fn pcg4d(words: [u32; 4]) -> [u32; 4] {
     pcg4d_round([x ^ x >> 16, y ^ y >> 16, z ^ z >> 16, w ^ w >> 16])
 }
 
-#[inline]
+#[inline(always)]
 fn pcg4d_round([mut x, mut y, mut z, mut w]: [u32; 4]) -> [u32; 4] {
     x = x.wrapping_add(y.wrapping_mul(w));
     y = y.wrapping_add(z.wrapping_mul(x));
@@ -84,7 +86,7 @@ fn pcg4d_round([mut x, mut y, mut z, mut w]: [u32; 4]) -> [u32; 4] {
 }
 
 /// The upper 24 bits of a word as a multiple of 2⁻²⁴ in [0, 1): every value is exact.
-#[inline]
+#[inline(always)]
 pub fn unit_f32(word: u32) -> f32 {
     (word >> 8) as f32 * (1.0 / 16_777_216.0)
 }
