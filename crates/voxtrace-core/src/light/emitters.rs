@@ -239,7 +239,7 @@ fn choose_emitter(geometry: &Geometry, node: u32, side: Face, threshold: f32) ->
 
 /// The child of an inner node at which the running sum of the powers on a side passes `threshold`, and what of it is left there.
 #[inline]
-pub(super) fn child_by_power(nodes: &[LightNode], at: usize, side: Face, threshold: f32) -> (usize, f32) {
+fn child_by_power(nodes: &[LightNode], at: usize, side: Face, threshold: f32) -> (usize, f32) {
     let (left, right) = (nodes[at + 1].power[side as usize], nodes[at].index as usize);
     if threshold < left || nodes[right].power[side as usize] <= 0.0 {
         return (at + 1, threshold);

@@ -1,11 +1,12 @@
 //! From the node where a way ended to an emitter, by power alone: the side for sixteen ways at once, then a level of each way after the other, so
-//! that their loads wait together.
+//! that its nodes are there when it is its turn.
 
 use super::kernel::{Nodes, Receivers, to_array};
-use super::ways::{CHOICE, COUNT, NODE, TOTAL, WEIGHT, WITHIN, Ways, window};
-use crate::light::emitters::{Odds, child_by_power};
+use super::ways::{CAPACITY, CHOICE, COUNT, NODE, TOTAL, WEIGHT, WITHIN, Ways, window};
+use crate::light::emitters::Odds;
 use crate::packed::LightNode;
-use crate::walk::simd::{LANES, Row, Simd};
+use crate::walk::simd::{LANES, Row, Simd, prefetch};
+use std::hint::select_unpredictable;
 use voxtrace_scene::ray::{FACES, Face};
 
 /// A way that has chosen a side.
@@ -20,6 +21,18 @@ pub struct Fall {
     /// The node that it has come to, and what is left there of the running sum of powers.
     pub at: usize,
     pub threshold: f32,
+}
+
+impl Fall {
+    /// Goes on to a child, as [`crate::light::emitters::child_by_power`] chooses it. Nobody foretells which, so both are read, and there is no branch.
+    #[inline(always)]
+    fn descend(&mut self, nodes: &[LightNode]) {
+        let (side, right) = (self.side as usize, nodes[self.at].index as usize);
+        let left_power = nodes[self.at + 1].power[side];
+        let is_left = (self.threshold < left_power) | (nodes[right].power[side] <= 0.0);
+        self.at = select_unpredictable(is_left, self.at + 1, right);
+        self.threshold -= select_unpredictable(is_left, 0.0, left_power);
+    }
 }
 
 /// Chooses a side for each of the ways that came to a node, as [`crate::light::emitters::choose_side`] does.
@@ -70,14 +83,24 @@ pub unsafe fn begin<S: Simd>(s: S, nodes: &[LightNode], ways: &Ways, falls: &mut
 /// Takes all to leaves.
 #[inline(always)]
 pub fn to_leaves(nodes: &[LightNode], falls: &mut [Fall]) {
-    let mut is_under_way = true;
-    while is_under_way {
-        is_under_way = false;
-        for fall in &mut *falls {
-            if nodes[fall.at].count == 0 {
-                (fall.at, fall.threshold) = child_by_power(nodes, fall.at, fall.side, fall.threshold);
-                is_under_way = true;
+    // Places of those that have not come to one.
+    let mut going: [u16; CAPACITY] = std::array::from_fn(|place| place as u16);
+    let (mut count, mut is_first) = (falls.len(), true);
+    while count > 0 {
+        let mut kept = 0;
+        for index in 0..count {
+            let place = going[index];
+            let fall = &mut falls[usize::from(place)];
+            if !is_first {
+                fall.descend(nodes);
             }
+            let node = &nodes[fall.at];
+            // The children are there when it is this one's turn again.
+            prefetch(nodes.as_ptr().wrapping_add(fall.at + 1));
+            prefetch(nodes.as_ptr().wrapping_add(node.index as usize));
+            going[kept] = place;
+            kept += usize::from(node.count == 0);
         }
+        (count, is_first) = (kept, false);
     }
 }
