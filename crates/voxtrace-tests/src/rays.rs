@@ -7,7 +7,7 @@ use voxtrace::grid::VoxelBox;
 use voxtrace::{Ray, VoxelGrid};
 
 /// Names of the kinds that [`mixed`] cycles through.
-pub const KINDS: [&str; 8] = [
+pub const KINDS: [&str; 9] = [
     "random from outside",
     "random from inside",
     "along an axis",
@@ -16,13 +16,14 @@ pub const KINDS: [&str; 8] = [
     "through a corner, rational direction",
     "in a diagonal plane, exactly through edges",
     "from inside a voxel",
+    "a segment that begins on its way",
 ];
 
 /// Number of rays in a fan: consecutive rays with one origin.
 pub const FAN: usize = 64;
 
 /// Names of the kinds that [`fans`] cycles through.
-pub const FAN_KINDS: [&str; 8] = [
+pub const FAN_KINDS: [&str; 10] = [
     "narrow, from outside",
     "narrow, from inside",
     "wide",
@@ -31,9 +32,11 @@ pub const FAN_KINDS: [&str; 8] = [
     "from a corner, rational directions",
     "of any length, with an end",
     "in all directions",
+    "narrow, segments that begin at one t",
+    "narrow, segments that begin anywhere",
 ];
 
-/// `count` rays in fans, the kind of fan `i` is `FAN_KINDS[i % 8]`.
+/// `count` rays in fans, the kind of fan `i` is `FAN_KINDS[i % 10]`.
 pub fn fans(grid: &VoxelGrid, count: usize, seed: u64) -> Vec<Ray> {
     let bounds = grid.bounds().expect("the grid holds a voxel");
     let voxels: Vec<IVec3> = grid.voxels().map(|(voxel, _)| voxel).collect();
@@ -48,7 +51,7 @@ fn fan(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) ->
     let target = voxels[random.below(voxels.len())];
     let axis = random.below(3);
     let mut origin = match kind {
-        0 | 6 => random.point(min - margin, max + margin),
+        0 | 6 | 8 | 9 => random.point(min - margin, max + margin),
         4 => target.as_vec3() + random.direction() * 32.0,
         5 => (target + random.voxel(IVec3::splat(-9), IVec3::splat(10))).as_vec3(),
         _ => random.point(min, max),
@@ -58,6 +61,7 @@ fn fan(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) ->
     }
     let towards = (target.as_vec3() + 0.5 - origin).normalize_or(Vec3::X);
     let width = 4f32.powi(-(random.below(7) as i32));
+    let begin = random.unit() * (target.as_vec3() - origin).length();
     std::array::from_fn(|_| match kind {
         0 | 1 => Ray::new(origin, (towards + random.direction() * 0.05 * width).normalize()),
         2 => Ray::new(origin, (towards + random.direction() * 0.7).normalize()),
@@ -73,11 +77,15 @@ fn fan(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) ->
             let direction = (towards + random.direction() * 0.05).normalize() * length;
             Ray { t_max: random.unit() * 100.0 / length, ..Ray::new(origin, direction) }
         }
-        _ => Ray::new(origin, random.direction()),
+        7 => Ray::new(origin, random.direction()),
+        _ => {
+            let t_min = if kind == 8 { begin } else { begin * 2.0 * random.unit() };
+            Ray { t_min, ..Ray::new(origin, (towards + random.direction() * 0.05 * width).normalize()) }
+        }
     })
 }
 
-/// `count` rays, the kind of ray `i` is `KINDS[i % 8]`.
+/// `count` rays, the kind of ray `i` is `KINDS[i % 9]`.
 pub fn mixed(grid: &VoxelGrid, count: usize, seed: u64) -> Vec<Ray> {
     let bounds = grid.bounds().expect("the grid holds a voxel");
     let voxels: Vec<IVec3> = grid.voxels().map(|(voxel, _)| voxel).collect();
@@ -131,7 +139,12 @@ fn one(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) ->
             origin[axis] += random.unit();
             Ray::new(origin, direction.as_vec3() * 0.375)
         }
-        _ => Ray::new(target.as_vec3() + random.point(Vec3::ZERO, Vec3::ONE), random.direction()),
+        7 => Ray::new(target.as_vec3() + random.point(Vec3::ZERO, Vec3::ONE), random.direction()),
+        _ => {
+            let origin = random.point(min - margin, max + margin);
+            let way = inside - origin;
+            Ray { t_min: random.unit() * way.length(), ..Ray::new(origin, way.normalize_or(Vec3::X)) }
+        }
     }
 }
 

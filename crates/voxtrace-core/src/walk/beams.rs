@@ -109,8 +109,8 @@ struct Slopes {
 }
 
 impl Slopes {
-    /// Those of rays that start at one point, along one octant; `None` where they do not, or where one needs special care: that does not start
-    /// at t = 0 or moves along an axis not at all, or at no sensible speed.
+    /// Those of rays that start at one point, along one octant; `None` where they do not, or where one needs special care: that has no segment, or moves
+    /// along an axis not at all, or at no sensible speed.
     #[inline]
     fn of(rays: &[Ray], origin: Vec3, octant: usize, main: usize) -> Option<Self> {
         let mut slopes = Self { low: [f64::INFINITY; 2], high: [0.0; 2] };
@@ -120,7 +120,8 @@ impl Slopes {
         for ray in rays {
             let speed = ray.direction.abs();
             let is_sensible = speed.cmpge(Vec3::splat(SPEED_MIN)).all() && speed.cmple(Vec3::splat(SPEED_MAX)).all();
-            if ray.origin != origin || ray.t_min != 0.0 || !is_sensible || octant_of(ray.direction) != octant {
+            let has_segment = (0.0..=f32::MAX).contains(&ray.t_min) && ray.t_min <= ray.t_max;
+            if ray.origin != origin || !has_segment || !is_sensible || octant_of(ray.direction) != octant {
                 return None;
             }
             let inverse = 1.0 / f64::from(speed[main]);

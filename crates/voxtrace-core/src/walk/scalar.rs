@@ -285,7 +285,10 @@ impl<'a> Walk<'a> {
         match entry {
             Entry::Start => self.enter(grid, start),
             Entry::Plane { axis, plane } => {
-                self.enter(grid, self.arrive_at_plane(start, self.crossing(axis, plane), axis, plane)?)
+                let t = self.crossing(axis, plane);
+                // A segment may begin behind the plane.
+                let is_ahead = t >= self.ray.t_min;
+                self.enter(grid, if is_ahead { self.arrive_at_plane(start, t, axis, plane)? } else { start })
             }
             Entry::Never => None,
         }

@@ -71,7 +71,7 @@ fn a_hit_of_one_lane_that_is_wrong_is_noticed() {
 
 fn check(grid: VoxelGrid, count: usize, seed: u64) {
     let bitmap = Bitmap::of(&grid);
-    let sets = [(mixed(&grid, count, seed), &KINDS, 1), (fans(&grid, count, seed), &FAN_KINDS, FAN)];
+    let sets = [(mixed(&grid, count, seed), &KINDS[..], 1), (fans(&grid, count, seed), &FAN_KINDS[..], FAN)];
     let packed = pack(grid);
     for (rays, kinds, run) in sets {
         let hits = cast_all(&packed, &rays);
@@ -146,7 +146,7 @@ fn count_leaks(packed: &PackedScene, count: usize, seed: u64) -> usize {
 fn one_flipped_occupancy_bit_is_noticed() {
     let grid = noise(IVec3::ZERO, 24, 0.1, 5, 9);
     let packed = pack(grid.clone());
-    let sets = [(mixed(&grid, 200_000, 10), &KINDS, 1), (fans(&grid, 200_000, 10), &FAN_KINDS, FAN)];
+    let sets = [(mixed(&grid, 200_000, 10), &KINDS[..], 1), (fans(&grid, 200_000, 10), &FAN_KINDS[..], FAN)];
     for (rays, kinds, run) in sets {
         let mut hits = vec![Hit::MISS; rays.len()];
         walk::cast_batch(&packed, &rays, &mut hits);

@@ -98,8 +98,7 @@ impl<'a> Waiting<'a> {
         self.end > 0
     }
 
-    /// Prepares those of the next sixteen rays that need no special care: that start at t = 0, begin within the grid's bounds, surely in one
-    /// voxel, and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
+    /// Prepares those of the next sixteen rays that need no special care: that begin within the grid's bounds, surely in one voxel, and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
     #[inline(always)]
     fn prepare_vector<S: Simd>(&mut self, s: S, rays: &[Ray; LANES], entry: Entry) -> Bits {
         let (zero, one) = (s.floats(0.0), s.floats(1.0));
@@ -111,16 +110,16 @@ impl<'a> Waiting<'a> {
             }
         }
         let (t_min, t_max) = (s.load_floats(&words[3]), s.load_floats(&words[7]));
-        let mut plain = s.both(s.eq_floats(t_min, zero), s.le_floats(zero, t_max));
+        let mut plain = s.both(s.le_floats(zero, t_min), s.le_floats(t_min, s.min(t_max, s.floats(f32::MAX))));
         let end = self.end;
         let mut skip_shift = s.ints(0);
         let (mut floats, mut integers) = ([zero; FLOATS], [s.ints(0); INTEGERS]);
         let t_end = s.min(s.mul_floats(t_max, s.floats(T_END_SCALE)), s.floats(f32::MAX));
-        let (mut t, mut main, mut first) = (zero, usize::MAX, 0);
+        let (mut t, mut main, mut first) = (t_min, usize::MAX, 0);
         if let Entry::Plane { axis, plane } = entry {
             let distance = s.sub_floats(s.floats(plane as f32), s.load_floats(&words[axis]));
             t = s.mul_floats(distance, s.div_floats(one, s.load_floats(&words[4 + axis])));
-            plain = s.both(plain, s.le_floats(t, t_end));
+            plain = s.both(plain, s.both(s.le_floats(t_min, t), s.le_floats(t, t_end)));
             (main, first) = (axis, plane);
         }
         for axis in 0..3 {
@@ -143,9 +142,8 @@ impl<'a> Waiting<'a> {
                 let position = s.add_floats(origin, s.mul_floats(direction, t));
                 let (voxel, difference) = floor_of(s, position);
                 // At t = 0 the position is the origin, exactly.
-                if entry != Entry::Start {
-                    plain = s.except(plain, s.le_floats(s.abs(difference), tolerance));
-                }
+                let is_near = s.both(s.lt_floats(zero, t), s.le_floats(s.abs(difference), tolerance));
+                plain = s.except(plain, is_near);
                 // Far away the voxel would be another number.
                 plain = s.both(plain, s.le_floats(s.abs(position), s.floats(MAX_ORIGIN)));
                 voxel
