@@ -1,6 +1,6 @@
 //! The random numbers of many paths at once, by the vector instructions that the processor has: to the bit what [`Sampler`] gives each.
 
-#![expect(unsafe_code, reason = "calls of functions for certain processors")]
+#![cfg_attr(target_arch = "x86_64", expect(unsafe_code, reason = "calls of functions for certain processors"))]
 
 use super::Sampler;
 use crate::walk::Instructions;
@@ -43,17 +43,17 @@ impl Draws {
     }
 
     /// Draws the numbers that were asked for.
+    #[inline(never)]
     pub fn draw(&mut self, which: Numbers, instructions: Instructions) {
         self.numbers.iter_mut().for_each(|row| row.resize(self.pixels.len(), 0.0));
-        // SAFETY: the processor has the instructions.
-        unsafe {
-            match instructions {
-                #[cfg(target_arch = "x86_64")]
-                Instructions::Avx512 if instructions.is_available() => by_avx512(self, which),
-                #[cfg(target_arch = "x86_64")]
-                Instructions::Avx2 if instructions.is_available() => by_avx2(self, which),
-                _ => self.draw_each(which),
-            }
+        match instructions {
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: the processor has the instructions.
+            Instructions::Avx512 if instructions.is_available() => unsafe { by_avx512(self, which) },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Instructions::Avx2 if instructions.is_available() => unsafe { by_avx2(self, which) },
+            _ => self.draw_each(which),
         }
     }
 
@@ -73,8 +73,13 @@ impl Draws {
         let found = a.iter_mut().zip(b).zip(c).zip(d);
         for (((&pixel, &sample), &dimension), (((a, b), c), d)) in asked.zip(found) {
             let sampler = Sampler { seed: self.seed, pixel, sample };
-            [*a, *b, *c, *d] =
-                if IS_STRATIFIED { sampler.stratified(dimension) } else { sampler.independent(dimension) };
+            // Modules for pages are to be small: there all call the same functions.
+            [*a, *b, *c, *d] = match (IS_STRATIFIED, cfg!(target_arch = "wasm32")) {
+                (true, false) => sampler.stratified_here(dimension),
+                (true, true) => sampler.stratified(dimension),
+                (false, false) => sampler.independent_here(dimension),
+                (false, true) => sampler.independent(dimension),
+            };
         }
     }
 

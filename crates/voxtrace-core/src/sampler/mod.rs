@@ -19,8 +19,14 @@ pub struct Sampler {
 impl Sampler {
     /// The four numbers in [0, 1) of a dimension, independent of those of every other dimension, sample, pixel and
     /// seed.
-    #[inline(always)]
+    #[inline]
     pub fn independent(&self, dimension: u32) -> [f32; 4] {
+        self.independent_here(dimension)
+    }
+
+    /// The same, a part of the caller's code: of a loop over many, of which compilers make vectors.
+    #[inline(always)]
+    fn independent_here(&self, dimension: u32) -> [f32; 4] {
         // Word by word: compilers make calls of `map`.
         let [x, y, z, w] = pcg4d([self.pixel, self.sample, dimension, self.seed]);
         [unit_f32(x), unit_f32(y), unit_f32(z), unit_f32(w)]
@@ -28,8 +34,15 @@ impl Sampler {
 
     /// Four numbers in [0, 1) of a dimension. The first two, and the last two, of consecutive samples of a pixel are
     /// low-discrepancy points of the unit square, each by itself uniform; pairs, dimensions, pixels and seeds are independent.
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline)]
     pub fn stratified(&self, dimension: u32) -> [f32; 4] {
+        self.stratified_here(dimension)
+    }
+
+    /// The same, a part of the caller's code.
+    #[inline(always)]
+    fn stratified_here(&self, dimension: u32) -> [f32; 4] {
         // Samples are numbered from 0 in `independent`'s third place, dimensions here in its second: 1 and 2 keep the
         // inputs of the two apart.
         let ([a, b], [c, d]) = (self.pair(dimension, 1), self.pair(dimension, 2));
