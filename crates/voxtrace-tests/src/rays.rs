@@ -7,7 +7,7 @@ use voxtrace::grid::VoxelBox;
 use voxtrace::{Ray, VoxelGrid};
 
 /// Names of the kinds that [`mixed`] cycles through.
-pub const KINDS: [&str; 9] = [
+pub const KINDS: [&str; 8] = [
     "random from outside",
     "random from inside",
     "along an axis",
@@ -16,7 +16,6 @@ pub const KINDS: [&str; 9] = [
     "through a corner, rational direction",
     "in a diagonal plane, exactly through edges",
     "from inside a voxel",
-    "a segment that begins on its way",
 ];
 
 /// Number of rays in a fan: consecutive rays with one origin.
@@ -85,7 +84,7 @@ fn fan(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) ->
     })
 }
 
-/// `count` rays, the kind of ray `i` is `KINDS[i % 9]`.
+/// `count` rays, the kind of ray `i` is `KINDS[i % 8]`.
 pub fn mixed(grid: &VoxelGrid, count: usize, seed: u64) -> Vec<Ray> {
     let bounds = grid.bounds().expect("the grid holds a voxel");
     let voxels: Vec<IVec3> = grid.voxels().map(|(voxel, _)| voxel).collect();
@@ -139,12 +138,7 @@ fn one(bounds: &VoxelBox, voxels: &[IVec3], kind: usize, random: &mut Random) ->
             origin[axis] += random.unit();
             Ray::new(origin, direction.as_vec3() * 0.375)
         }
-        7 => Ray::new(target.as_vec3() + random.point(Vec3::ZERO, Vec3::ONE), random.direction()),
-        _ => {
-            let origin = random.point(min - margin, max + margin);
-            let way = inside - origin;
-            Ray { t_min: random.unit() * way.length(), ..Ray::new(origin, way.normalize_or(Vec3::X)) }
-        }
+        _ => Ray::new(target.as_vec3() + random.point(Vec3::ZERO, Vec3::ONE), random.direction()),
     }
 }
 
