@@ -21,7 +21,7 @@ const MOST = {
   "gpu-worker.js": 4_000,
   "gpu.wasm": 92_000,
   "voxtrace-worker.js": 4_000,
-  "voxtrace.wasm": 301_000,
+  "voxtrace.wasm": 300_000,
   "stream-worker.js": 8_000,
   "stream.wasm": 110_000,
   "scenes-worker.js": 4_000,

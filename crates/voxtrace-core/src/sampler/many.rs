@@ -6,9 +6,10 @@ use super::Sampler;
 use crate::walk::Instructions;
 
 /// Which numbers are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Numbers {
     /// [`Sampler::independent`].
+    #[default]
     Independent,
     /// [`Sampler::stratified`].
     Stratified,
@@ -18,6 +19,7 @@ pub enum Numbers {
 #[derive(Default)]
 pub struct Draws {
     seed: u32,
+    which: Numbers,
     pixels: Vec<u32>,
     samples: Vec<u32>,
     dimensions: Vec<u32>,
@@ -45,6 +47,11 @@ impl Draws {
     /// Draws the numbers that were asked for.
     #[inline(never)]
     pub fn draw(&mut self, which: Numbers, instructions: Instructions) {
+        self.which = which;
+        // Modules for pages are to be small: there each is drawn when it is taken.
+        if cfg!(target_arch = "wasm32") {
+            return;
+        }
         self.numbers.iter_mut().for_each(|row| row.resize(self.pixels.len(), 0.0));
         match instructions {
             #[cfg(target_arch = "x86_64")]
@@ -73,13 +80,8 @@ impl Draws {
         let found = a.iter_mut().zip(b).zip(c).zip(d);
         for (((&pixel, &sample), &dimension), (((a, b), c), d)) in asked.zip(found) {
             let sampler = Sampler { seed: self.seed, pixel, sample };
-            // Modules for pages are to be small: there all call the same functions.
-            [*a, *b, *c, *d] = match (IS_STRATIFIED, cfg!(target_arch = "wasm32")) {
-                (true, false) => sampler.stratified_here(dimension),
-                (true, true) => sampler.stratified(dimension),
-                (false, false) => sampler.independent_here(dimension),
-                (false, true) => sampler.independent(dimension),
-            };
+            [*a, *b, *c, *d] =
+                if IS_STRATIFIED { sampler.stratified_here(dimension) } else { sampler.independent_here(dimension) };
         }
     }
 
@@ -92,6 +94,13 @@ impl Draws {
     /// The numbers of the one that was asked for at a place.
     #[inline]
     pub fn get(&self, place: usize) -> [f32; 4] {
+        if cfg!(target_arch = "wasm32") {
+            let (sampler, dimension) = (self.sampler(place), self.dimensions[place]);
+            return match self.which {
+                Numbers::Independent => sampler.independent(dimension),
+                Numbers::Stratified => sampler.stratified(dimension),
+            };
+        }
         let [a, b, c, d] = &self.numbers;
         [a[place], b[place], c[place], d[place]]
     }
