@@ -35,7 +35,7 @@ pub const FAN_KINDS: [&str; 10] = [
     "narrow, segments that begin anywhere",
 ];
 
-/// `count` rays in fans, the kind of fan `i` is `FAN_KINDS[i % 10]`.
+/// `count` rays in fans, the kind of fan `i` is `FAN_KINDS[i % FAN_KINDS.len()]`.
 pub fn fans(grid: &VoxelGrid, count: usize, seed: u64) -> Vec<Ray> {
     let bounds = grid.bounds().expect("the grid holds a voxel");
     let voxels: Vec<IVec3> = grid.voxels().map(|(voxel, _)| voxel).collect();

@@ -98,7 +98,8 @@ impl<'a> Waiting<'a> {
         self.end > 0
     }
 
-    /// Prepares those of the next sixteen rays that need no special care: that begin within the grid's bounds, surely in one voxel, and move along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
+    /// Prepares those of the next sixteen rays that need no special care: that begin within the grid's bounds, surely in one voxel, and move
+    /// along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
     #[inline(always)]
     fn prepare_vector<S: Simd>(&mut self, s: S, rays: &[Ray; LANES], entry: Entry) -> Bits {
         let (zero, one) = (s.floats(0.0), s.floats(1.0));
