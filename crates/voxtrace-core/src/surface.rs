@@ -88,6 +88,8 @@ pub(crate) const MARGIN_MAX: f32 = 0.25;
 /// The margin is 1/1024 voxel, and more where f32 is coarser: at least 8 ulp of the largest number on the way
 /// to world space and back. With an identity transform nothing is rounded after the clamp; otherwise the margin is what
 /// keeps the rounded point in its cell.
+// Modules for pages are held small.
+#[cfg_attr(not(target_arch = "wasm32"), inline)]
 pub fn offset_ray_origin(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
     let margin = margin(instance, low);
     let mut moved = point.max(low + margin).min(low + (1.0 - margin));

@@ -187,6 +187,8 @@ impl PackedInstance {
 
     /// Outward unit normal of a face in world space. Twin of `world_normal` in `shaders/surface.slang`.
     #[doc(hidden)]
+    // Modules for pages are held small.
+    #[cfg_attr(not(target_arch = "wasm32"), inline)]
     pub fn world_normal(&self, face: Face) -> Vec3 {
         normalize(self.world_from_grid.direction(face.normal().as_vec3()))
     }
