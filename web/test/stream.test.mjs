@@ -161,7 +161,12 @@ test("a second visit takes from what was kept, unless the file is another one", 
   };
   writeFileSync(path("kept.vxt"), readFileSync(path("city.vxt")));
   const first = await visit();
-  const second = await visit();
+  let second = await visit();
+  // Chromium lets a write never end now and then (`cache.ts`). What is not kept for that is fetched once more, and kept then.
+  if (second.bytes !== 65_536) {
+    assert.ok(second.bytes < 0.1 * first.bytes, `${second.bytes} of ${first.bytes} bytes`);
+    second = await visit();
+  }
   assert.ok(second.bytes === 65_536, `${second.bytes} of ${first.bytes} bytes`);
   assert.equal(differences(second.words, first.words), 0);
   run("convert", "city", path("kept.vxt"), "--voxels", "2M", "--stream");
