@@ -3,7 +3,7 @@
 
 use crate::math::{normalize, orthonormal_pair};
 use crate::packed::{PackedInstance, PackedScene};
-use glam::Vec3;
+use glam::{BVec3, Vec3};
 use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
 
 /// A point on a face of a voxel.
@@ -91,11 +91,23 @@ pub(crate) const MARGIN_MAX: f32 = 0.25;
 // Modules for pages are held small.
 #[cfg_attr(not(target_arch = "wasm32"), inline)]
 pub fn offset_ray_origin(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
+    beside(instance, low, face, point, 1.0)
+}
+
+/// Moves `point` as [`offset_ray_origin`] does, but into the voxel, just behind the face.
+pub fn behind(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
+    beside(instance, low, face, point, -1.0)
+}
+
+/// The point beside a face, `side` margins outside of it.
+#[cfg_attr(not(target_arch = "wasm32"), inline)]
+fn beside(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3, side: f32) -> Vec3 {
     let margin = margin(instance, low);
-    let mut moved = point.max(low + margin).min(low + (1.0 - margin));
-    let axis = face.axis();
-    moved[axis] = if face as u32 & 1 == 1 { low[axis] + (1.0 + margin) } else { low[axis] - margin };
-    moved
+    let moved = point.max(low + margin).min(low + (1.0 - margin));
+    let (axis, beyond) = (face.axis(), margin * side);
+    let on_face = low + if face as u32 & 1 == 1 { 1.0 + beyond } else { -beyond };
+    // Chosen, not put into a vector in memory, which whoever reads it whole waits for.
+    Vec3::select(BVec3::new(axis == 0, axis == 1, axis == 2), on_face, moved)
 }
 
 /// Origin of rays that enter the voxel that `hit`, no miss, of `ray` met, world space: just inside the face.
@@ -141,15 +153,6 @@ impl PackedScene {
         let of_voxel = || self.placement.instances[hit.instance as usize].world_normal(hit.face());
         self.cuts.normal(hit).unwrap_or_else(of_voxel)
     }
-}
-
-/// Moves `point` as [`offset_ray_origin`] does, but into the voxel, just behind the face.
-pub fn behind(instance: &PackedInstance, low: Vec3, face: Face, point: Vec3) -> Vec3 {
-    let margin = margin(instance, low);
-    let mut moved = point.max(low + margin).min(low + (1.0 - margin));
-    let axis = face.axis();
-    moved[axis] = if face as u32 & 1 == 1 { low[axis] + (1.0 - margin) } else { low[axis] + margin };
-    moved
 }
 
 /// Moves `point` (grid space) into the voxel whose lowest corner is `low`, off its faces.

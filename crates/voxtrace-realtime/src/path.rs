@@ -199,7 +199,7 @@ impl View<'_> {
                 if let Some(shadow_ray) = choice.chosen() {
                     *light += self.arriving(&shadow_ray);
                 }
-                path::leave(scene, &self.limits, path, (ray, hit), &scatter, None).0
+                path::leave(scene, &self.limits, path, (ray, hit), &scatter)
             }
         }
     }

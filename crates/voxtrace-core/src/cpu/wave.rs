@@ -188,108 +188,141 @@ impl Wave {
         let mut under_way = Vec::with_capacity(PATHS_AT_A_TIME);
         let mut alive = 0;
         for first in (0..self.rays.len()).step_by(PATHS_AT_A_TIME) {
-            let end = self.rays.len().min(first + PATHS_AT_A_TIME);
-            self.arrive(context, first..end, &mut under_way);
-            self.leave(context, &mut under_way, &mut alive);
+            let range = first..self.rays.len().min(first + PATHS_AT_A_TIME);
+            let materials = self.look_up(context, range.clone());
+            self.arrive(context, range, &materials, &mut under_way, &mut alive);
+            if !under_way.is_empty() {
+                self.leave(context, &mut under_way, &mut alive);
+            }
         }
         self.rays.truncate(alive);
         self.paths.truncate(alive);
         self.slots.truncate(alive);
     }
 
-    /// Adds the light where the rays of some paths ended. `under_way` gets those that go on, with what becomes of them.
-    fn arrive<'a>(
+    /// Finds the materials that some paths met, and draws the random numbers that scatter them.
+    fn look_up(&mut self, context: &RenderContext, range: Range<usize>) -> [u32; PATHS_AT_A_TIME] {
+        let mut materials = [0; PATHS_AT_A_TIME];
+        let (paths, hits) = (&self.paths[range.clone()], &self.hits[range]);
+        context.scene.packed_material_indices(hits, |index| paths[index].meets_surface(&hits[index]), &mut materials);
+        self.draws.begin(context.frame.seed);
+        paths.iter().for_each(|path| self.draws.push(&path.sampler, path.dimension_scatter()));
+        self.draws.draw(context.numbers(), Instructions::chosen());
+        materials
+    }
+
+    /// Whether a path of a transparent picture ends as its camera's ray met nothing, or the ground that shows shadows alone.
+    #[inline(never)]
+    fn ends_transparent(&mut self, context: &RenderContext, index: usize) -> bool {
+        let (path, slot, hit) = (&self.paths[index], self.slots[index], &self.hits[index]);
+        if path.event > 0 || path.inside.is_some() {
+            return false;
+        }
+        if hit.is_miss() {
+            return true;
+        }
+        let scene = context.scene;
+        let Some(catcher) = context.catcher.as_ref().filter(|catcher| catcher.is_met(scene, hit)) else { return false };
+        let sample = &mut self.samples[slot as usize];
+        sample.threshold = Some(ShadowCatcher::threshold(path));
+        match catcher.shadow_ray(scene, path, &self.rays[index], hit) {
+            Some(shadow_ray) => self.shadow_rays.push(scene, slot, &shadow_ray),
+            None => sample.radiance = Vec3::ONE,
+        }
+        true
+    }
+
+    /// Adds the light where the rays of some paths ended. Of the integrator `essay` those that go on are kept behind the `alive` ones before them;
+    /// `under_way` gets those of the integrator `path` that go on, with what becomes of them.
+    fn arrive(
         &mut self,
-        context: &RenderContext<'a>,
+        context: &RenderContext,
         range: Range<usize>,
-        under_way: &mut Vec<(usize, path::Arrival<'a>)>,
+        materials: &[u32],
+        under_way: &mut Vec<(u32, path::Arrival)>,
+        alive: &mut usize,
     ) {
         let (scene, max_bounces) = (context.scene, context.frame.max_bounces);
         let limits = path::Limits::of(context.frame);
-        self.asked.clear();
-        let mut materials = [0; PATHS_AT_A_TIME];
-        let (paths, hits) = (&self.paths[range.clone()], &self.hits[range.clone()]);
-        scene.packed_material_indices(hits, |index| paths[index].meets_surface(&hits[index]), &mut materials);
-        let seed = context.frame.seed;
-        self.draws.begin(seed);
-        self.light_draws.begin(seed);
-        paths.iter().for_each(|path| self.draws.push(&path.sampler, path.dimension_scatter()));
-        self.draws.draw(context.numbers(), Instructions::chosen());
-        for (place, (index, material)) in range.zip(materials).enumerate() {
-            let drawn = self.draws.get(place);
-            let (path, slot) = (&mut self.paths[index], self.slots[index]);
-            let sample = &mut self.samples[slot as usize];
-            let (ray, hit) = (&self.rays[index], &self.hits[index]);
-            if context.frame.transparent && path.event == 0 && path.inside.is_none() {
-                if hit.is_miss() {
-                    continue;
-                }
-                if let Some(catcher) = context.catcher.as_ref().filter(|catcher| catcher.is_met(scene, hit)) {
-                    sample.threshold = Some(ShadowCatcher::threshold(path));
-                    match catcher.shadow_ray(scene, path, ray, hit) {
-                        Some(shadow_ray) => self.shadow_rays.push(scene, slot, &shadow_ray),
-                        None => sample.radiance = Vec3::ONE,
-                    }
-                    continue;
-                }
+        for (place, index) in range.enumerate() {
+            if context.frame.transparent && self.ends_transparent(context, index) {
+                continue;
             }
-            let radiance = &mut sample.radiance;
-            let arrival = match context.frame.integrator {
+            let (path, slot) = (&mut self.paths[index], self.slots[index]);
+            let met = (&self.rays[index], &self.hits[index], materials[place]);
+            let (draw, radiance) = (|_: &Path| self.draws.get(place), &mut self.samples[slot as usize].radiance);
+            match context.frame.integrator {
                 Integrator::Essay => {
-                    match essay::advance(scene, max_bounces, path, (ray, hit, material), |_| drawn, radiance) {
-                        None => path::Arrival::End,
-                        Some(next) => path::Arrival::Pass(next),
+                    if let Some(next) = essay::advance(scene, max_bounces, path, met, draw, radiance) {
+                        (self.rays[*alive], self.paths[*alive], self.slots[*alive]) = (next, *path, slot);
+                        *alive += 1;
                     }
                 }
                 Integrator::Path => {
-                    path::arrive(scene, &context.lights, &limits, path, (ray, hit, material), |_| drawn, radiance)
+                    let arrival = path::arrive(scene, &context.lights, &limits, path, met, draw, radiance);
+                    under_way.push((index as u32, arrival));
+                    if let Some((_, path::Arrival::End)) = under_way.last() {
+                        under_way.pop();
+                    }
                 }
-            };
-            match &arrival {
-                path::Arrival::End => continue,
-                path::Arrival::Scatter(scatter) if scatter.wants_light => {
-                    self.light_draws.push(&path.sampler, path.dimension_light());
-                    self.asked.push(Asked { receiver: *scatter.receiver(), u: [0.0; 4] });
-                }
-                _ => {}
             }
-            under_way.push((index, arrival));
         }
+    }
+
+    /// Chooses lights for those that are to be scattered.
+    fn choose_lights(&mut self, context: &RenderContext, under_way: &[(u32, path::Arrival)]) {
+        self.light_draws.begin(context.frame.seed);
+        let mut count = 0;
+        for (index, arrival) in under_way {
+            if let path::Arrival::Scatter(scatter) = arrival
+                && scatter.wants_light
+            {
+                let path = &self.paths[*index as usize];
+                self.light_draws.push(&path.sampler, path.dimension_light());
+                if count == self.asked.len() {
+                    self.asked.push(Asked::default());
+                }
+                // Written where it stays: a copy of what was just written in other pieces waits until that is in the cache.
+                self.asked[count].receiver = *scatter.receiver();
+                count += 1;
+            }
+        }
+        self.asked.truncate(count);
         self.light_draws.draw(Numbers::Stratified, Instructions::chosen());
         for (place, asked) in self.asked.iter_mut().enumerate() {
             asked.u = self.light_draws.get(place);
         }
-    }
-
-    /// Chooses lights for the paths that are to be scattered, and lets all that are under way leave.
-    fn leave<'a>(
-        &mut self,
-        context: &RenderContext<'a>,
-        under_way: &mut Vec<(usize, path::Arrival<'a>)>,
-        alive: &mut usize,
-    ) {
-        let (scene, limits) = (context.scene, path::Limits::of(context.frame));
         self.lights.resize(self.asked.len(), None);
         light::many::sample_all(Instructions::chosen(), &context.lights, &self.asked, &mut self.room, &mut self.lights);
+    }
+
+    /// Lets all paths that are under way leave.
+    fn leave(&mut self, context: &RenderContext, under_way: &mut Vec<(u32, path::Arrival)>, alive: &mut usize) {
+        let (scene, limits) = (context.scene, path::Limits::of(context.frame));
+        self.choose_lights(context, under_way);
         let mut lights = self.lights.iter();
-        for (index, arrival) in under_way.drain(..) {
+        for &(index, ref arrival) in &*under_way {
+            let index = index as usize;
             let (path, slot) = (&mut self.paths[index], self.slots[index]);
-            let (next, shadow_ray) = match &arrival {
-                path::Arrival::End => (None, None),
-                path::Arrival::Pass(next) => (Some(*next), None),
+            let next = match arrival {
+                path::Arrival::End => None,
+                path::Arrival::Pass(next) => Some(*next),
                 path::Arrival::Scatter(scatter) => {
                     let light = if scatter.wants_light { lights.next().and_then(Option::as_ref) } else { None };
-                    path::leave(scene, &limits, path, (&self.rays[index], &self.hits[index]), scatter, light)
+                    if let Some(sample) = light
+                        && let Some(shadow_ray) = path::shadow_ray(scene, &limits, path, scatter, sample)
+                    {
+                        self.shadow_rays.push(scene, slot, &shadow_ray);
+                    }
+                    path::leave(scene, &limits, path, (&self.rays[index], &self.hits[index]), scatter)
                 }
             };
-            if let Some(shadow_ray) = shadow_ray {
-                self.shadow_rays.push(scene, slot, &shadow_ray);
-            }
             if let Some(next) = next {
                 (self.rays[*alive], self.paths[*alive], self.slots[*alive]) = (next, self.paths[index], slot);
                 *alive += 1;
             }
         }
+        under_way.clear();
     }
 
     /// Adds the light that arrives along the shadow rays.

@@ -44,7 +44,8 @@ pub fn advance(
         return None;
     }
     let [u, v, ..] = draw(path);
-    let surface = Surface::new(scene, ray, hit).smoothed(scene, ray, hit, true);
+    let mut surface = Surface::new(scene, ray, hit);
+    surface.smooth(scene, ray, hit, true);
     path.is_clipped = scene.cuts.clips_after(hit);
     path.beta *= material.base_color;
     path.bounce += 1;

@@ -14,7 +14,7 @@ use crate::medium::Inside;
 use crate::packed::{PackedMaterial, PackedScene};
 use crate::surface::{Surface, behind_face};
 use glam::Vec3;
-use voxtrace_scene::ray::{Hit, Ray};
+use voxtrace_scene::ray::{Face, Hit, Ray};
 
 /// Bounces before Russian roulette.
 const SURE_BOUNCES: u32 = 3;
@@ -71,20 +71,19 @@ impl Limits {
 }
 
 /// What becomes of a path where its ray ended.
-pub enum Arrival<'a> {
+pub enum Arrival {
     /// It ends.
     End,
     /// It goes on straight.
     Pass(Ray),
     /// It is scattered, once a light was chosen.
-    Scatter(Scatter<'a>),
+    Scatter(Scatter),
 }
 
-/// A path that is to be scattered.
-pub struct Scatter<'a> {
-    place: Place<'a>,
+/// A path that is to be scattered. It is kept small: waves keep one for each of their paths while lights are chosen.
+pub struct Scatter {
+    place: Place,
     bsdf: MaterialBsdf,
-    kind: BounceKind,
     wo: Vec3,
     /// Random numbers that choose the direction.
     u: [f32; 3],
@@ -97,7 +96,7 @@ pub struct Scatter<'a> {
     pub wants_light: bool,
 }
 
-impl Scatter<'_> {
+impl Scatter {
     /// The place that a light is chosen for.
     #[inline]
     pub fn receiver(&self) -> &Receiver {
@@ -123,22 +122,23 @@ pub fn advance(
         Arrival::Scatter(scatter) => {
             let choose = || lights.sample(scatter.receiver(), path.sampler.stratified(path.dimension_light()));
             let light = scatter.wants_light.then(choose).flatten();
-            leave(scene, limits, path, (ray, hit), &scatter, light.as_ref())
+            let shadow_ray = light.and_then(|sample| shadow_ray(scene, limits, path, &scatter, &sample));
+            (leave(scene, limits, path, (ray, hit), &scatter), shadow_ray)
         }
     }
 }
 
-/// The first half of [`advance`]: all that comes before a light is chosen. `material` is `Path::material`, `draw` gives what [`Path::scatter_numbers`] does.
+/// The first part of [`advance`]: all that comes before a light is chosen. `material` is `Path::material`, `draw` gives what [`Path::scatter_numbers`] does.
 #[inline]
-pub fn arrive<'a>(
-    scene: &'a PackedScene,
+pub fn arrive(
+    scene: &PackedScene,
     lights: &Lights,
     limits: &Limits,
     path: &mut Path,
     (ray, hit, material): (&Ray, &Hit, u32),
     draw: impl FnOnce(&Path) -> [f32; 4],
     radiance: &mut Vec3,
-) -> Arrival<'a> {
+) -> Arrival {
     let last = path.receiver(ray);
     let is_indirect = path.scattered > 1;
     // A path that meets nothing in a medium is scattered there.
@@ -196,7 +196,7 @@ pub fn arrive<'a>(
     } else {
         Place::on_surface(scene, path, ray, hit, is_boundary)
     };
-    let wo = place.local_direction(-ray.direction);
+    let wo = place.local_direction(scene, -ray.direction);
     if limits.goes_straight(path, &bsdf, wo, lobe) {
         path.beta *= compensation;
         return Arrival::Pass(pass(scene, path, ray, hit));
@@ -204,10 +204,10 @@ pub fn arrive<'a>(
     path.is_clipped = scene.cuts.clips_after(hit);
     let wants_light = !bsdf.is_delta() && !limits.ends(path, kind);
     let (u, is_in_medium) = ([u, v, lobe], is_scattered);
-    Arrival::Scatter(Scatter { place, bsdf, kind, wo, u, compensation, is_in_medium, is_boundary, wants_light })
+    Arrival::Scatter(Scatter { place, bsdf, wo, u, compensation, is_in_medium, is_boundary, wants_light })
 }
 
-/// The second half of [`advance`]: what the light gives that was chosen, if there is one, and where the path goes next.
+/// The last part of [`advance`]: where the path goes next, `None` where it ends. Before it comes [`shadow_ray`].
 #[inline]
 pub fn leave(
     scene: &PackedScene,
@@ -215,32 +215,29 @@ pub fn leave(
     path: &mut Path,
     (ray, hit): (&Ray, &Hit),
     scatter: &Scatter,
-    light: Option<&LightSample>,
-) -> (Option<Ray>, Option<ShadowRay>) {
-    let Scatter { place, bsdf, kind, wo, u, compensation, is_boundary, .. } = scatter;
-    let (kind, wo, compensation, is_boundary) = (*kind, *wo, *compensation, *is_boundary);
-    let light = light.and_then(|sample| shadow_ray(scene, limits, path, scatter, sample));
-    let Some(bounce) = bsdf.sample(wo, *u) else { return (None, light) };
-    let is_transmitted = is_boundary && bounce.wi.z < 0.0;
-    let kind = if is_transmitted { BounceKind::Transmitted } else { kind };
+) -> Option<Ray> {
+    let Scatter { place, bsdf, wo, u, compensation, is_boundary, .. } = scatter;
+    let bounce = bsdf.sample(*wo, *u)?;
+    let is_transmitted = *is_boundary && bounce.wi.z < 0.0;
+    let kind = if is_transmitted { BounceKind::Transmitted } else { kind_of(bsdf) };
     if limits.ends(path, kind) {
-        return (None, light);
+        return None;
     }
     path.kinds = BounceLimits::counted(limits.kinds, path.kinds, kind);
     path.scattered += u32::from(path.scattered > 0 || !bounce.is_delta);
-    path.beta = path.beta * bounce.weight * compensation;
+    path.beta = path.beta * bounce.weight * *compensation;
     path.pdf = if bounce.is_delta { 0.0 } else { bounce.pdf };
     path.normal = place.receiver.normal;
     path.passed_t = 0.0;
     path.event += 1;
-    let direction = place.world_direction(bounce.wi);
+    let direction = place.world_direction(scene, bounce.wi);
     if is_transmitted {
         path.inside = Inside::beyond(scene, hit);
-        return (Some(Ray::new(behind_face(scene, ray, hit), direction)), light);
+        return Some(Ray::new(behind_face(scene, ray, hit), direction));
     }
     path.inside = place.inside;
     path.bounce += 1;
-    (Some(Ray::new(place.receiver.point, direction)), light)
+    Some(Ray::new(place.receiver.point, direction))
 }
 
 /// The light that a chosen light gives where a path is to be scattered, unless something lies in its way. `None` where cuts take it away.
@@ -256,7 +253,7 @@ pub fn shadow_ray(
     if !scene.cuts.admits(&sample.ray, path.is_clipped) {
         return None;
     }
-    let toward = place.local_direction(sample.ray.direction);
+    let toward = place.local_direction(scene, sample.ray.direction);
     // What lies above the horizon is for the light to say: its cosine holds.
     let wi = if *is_in_medium { toward } else { toward.with_z(sample.cos_theta) };
     let eval = bsdf.eval(*wo, wi);
@@ -304,42 +301,50 @@ fn kind_of(bsdf: &MaterialBsdf) -> BounceKind {
 }
 
 /// Where a path is scattered: on a surface, or in the middle of a medium, whose frame is world space.
-struct Place<'a> {
+struct Place {
     receiver: Receiver,
     /// The voxel that the place is in, `None` in air.
     inside: Option<Inside>,
-    surface: Option<Surface<'a>>,
+    /// The instance of a surface, [`Hit::NONE`] in a medium, and the face as [`Surface`] has it.
+    instance: u32,
+    face: Option<Face>,
 }
 
-impl<'a> Place<'a> {
+impl Place {
     #[inline]
-    fn on_surface(scene: &'a PackedScene, path: &Path, ray: &Ray, hit: &Hit, is_boundary: bool) -> Self {
+    fn on_surface(scene: &PackedScene, path: &Path, ray: &Ray, hit: &Hit, is_boundary: bool) -> Self {
         let mut surface = Surface::new(scene, ray, hit);
         if !is_boundary {
             let is_lifted = path.inside.is_none_or(|inside| inside.instance != hit.instance);
-            surface = surface.smoothed(scene, ray, hit, is_lifted);
+            surface.smooth(scene, ray, hit, is_lifted);
         }
         let inside = path.inside.and_then(|inside| inside.in_front(scene, hit, &surface));
-        Self { receiver: Receiver::on_surface(surface.origin, surface.normal), inside, surface: Some(surface) }
+        let Surface { origin, normal, face, .. } = surface;
+        Self { receiver: Receiver::on_surface(origin, normal), inside, instance: hit.instance, face }
     }
 
-    fn in_medium(scene: &'a PackedScene, path: &Path, ray: &Ray, hit: &Hit, t: f32) -> Self {
+    fn in_medium(scene: &PackedScene, path: &Path, ray: &Ray, hit: &Hit, t: f32) -> Self {
         let inside = path.inside.map(|inside| Inside { voxel: hit.voxel, ..inside });
         let point = inside.map_or(ray.at(t), |inside| inside.point(scene, ray, t));
-        Self { receiver: Receiver::in_medium(point), inside, surface: None }
+        Self { receiver: Receiver::in_medium(point), inside, instance: Hit::NONE, face: None }
+    }
+
+    /// The surface, `None` in a medium.
+    #[inline]
+    fn surface<'a>(&self, scene: &'a PackedScene) -> Option<Surface<'a>> {
+        let Self { receiver: Receiver { point, normal, .. }, instance, face, .. } = *self;
+        let instance = scene.placement.instances.get(instance as usize)?;
+        Some(Surface { origin: point, normal, face, instance })
     }
 
     #[inline]
-    fn local_direction(&self, world: Vec3) -> Vec3 {
-        match &self.surface {
-            Some(surface) => surface.local_direction(world),
-            None => normalize(world),
-        }
+    fn local_direction(&self, scene: &PackedScene, world: Vec3) -> Vec3 {
+        self.surface(scene).map_or_else(|| normalize(world), |surface| surface.local_direction(world))
     }
 
     #[inline]
-    fn world_direction(&self, local: Vec3) -> Vec3 {
-        self.surface.as_ref().map_or(local, |surface| surface.world_direction(local))
+    fn world_direction(&self, scene: &PackedScene, local: Vec3) -> Vec3 {
+        self.surface(scene).map_or(local, |surface| surface.world_direction(local))
     }
 }
 

@@ -133,7 +133,7 @@ pub fn likeliest(scene: &PackedScene, lines: &Lines, ray: &Ray, hit: &Hit) -> Op
         let Some(bsdf) = likeliest_mirror(scene, lines, inside.as_ref(), (&ray, &hit)) else { return Some(here) };
         let mut surface = Surface::new(scene, &ray, &hit);
         if matches!(bsdf, MaterialBsdf::Conductor(_)) {
-            surface = surface.smoothed(scene, &ray, &hit, inside.is_none());
+            surface.smooth(scene, &ray, &hit, inside.is_none());
         }
         let is_passed = matches!(bsdf, MaterialBsdf::Dielectric(Dielectric { eta: 1.0, .. }));
         let (direction, enters) = if is_passed {

@@ -20,7 +20,7 @@ use voxtrace_scene::sky::Sky;
 pub const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
 /// A place that light falls on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Receiver {
     /// Point, world space.
     pub point: Vec3,

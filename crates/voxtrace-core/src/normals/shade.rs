@@ -22,16 +22,18 @@ const BACK: f32 = 21.0;
 const MOST_CROSSED: u32 = 6;
 
 impl<'a> Surface<'a> {
-    /// The smooth surface that `hit` of `ray` met, where its voxel has a normal; else this one, which is of its face. Where `is_lifted`, rays
-    /// start above the voxels; in a medium of the same grid, whose voxels are counted, they start at the face.
+    /// Makes it the smooth surface that `hit` of `ray` met, where its voxel has a normal. Where `is_lifted`, rays start above the voxels; in a
+    /// medium of the same grid, whose voxels are counted, they start at the face.
     #[inline]
-    pub(crate) fn smoothed(self, scene: &PackedScene, ray: &Ray, hit: &Hit, is_lifted: bool) -> Self {
-        if scene.geometry.has_normals() { self.smoothed_by(scene, ray, hit, is_lifted) } else { self }
+    pub(crate) fn smooth(&mut self, scene: &PackedScene, ray: &Ray, hit: &Hit, is_lifted: bool) {
+        if scene.geometry.has_normals() {
+            self.smooth_by_normal(scene, ray, hit, is_lifted);
+        }
     }
 
     #[inline(never)]
-    fn smoothed_by(self, scene: &PackedScene, ray: &Ray, hit: &Hit, is_lifted: bool) -> Self {
-        let Some((face, along)) = normal_along(scene, ray, hit) else { return self };
+    fn smooth_by_normal(&mut self, scene: &PackedScene, ray: &Ray, hit: &Hit, is_lifted: bool) {
+        let Some((face, along)) = normal_along(scene, ray, hit) else { return };
         let instance = self.instance;
         let wo = normalize(-ray.direction);
         let mut normal = normalize(instance.world_from_grid.direction(along));
@@ -49,7 +51,7 @@ impl<'a> Surface<'a> {
             let (cell, place) = lifted(is_empty, hit.voxel + face.normal(), start, along);
             origin = instance.world_from_grid.point(clamp_to_voxel(instance, cell.as_vec3(), place));
         }
-        Self { origin, normal, face: None, instance }
+        *self = Self { origin, normal, face: None, instance };
     }
 }
 

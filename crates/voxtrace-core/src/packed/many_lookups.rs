@@ -1,7 +1,11 @@
 //! The materials of many hits: what one waits for memory, the others look for their bricks.
 
+#![cfg_attr(target_arch = "x86_64", expect(unsafe_code, reason = "calls of functions for certain processors"))]
+
 use super::PackedScene;
 use super::lookup::{HEADER_INDEX_BITS, HEADER_PALETTE, bits_at};
+#[cfg(target_arch = "x86_64")]
+use crate::walk::Instructions;
 use crate::walk::simd::prefetch;
 use voxtrace_scene::brick::{block_bit, block_index};
 use voxtrace_scene::grid::local_of;
@@ -49,6 +53,16 @@ impl PackedScene {
 
     /// Writes the indices of the materials of hits as tracers find them, for those that `wants` asks for; they must be no misses.
     pub(crate) fn packed_material_indices(&self, hits: &[Hit], wants: impl Fn(usize) -> bool, indices: &mut [u32]) {
+        #[cfg(target_arch = "x86_64")]
+        if matches!(Instructions::chosen(), Instructions::Avx2 | Instructions::Avx512) {
+            // SAFETY: the processor has the instructions.
+            return unsafe { by_avx2(self, hits, wants, indices) };
+        }
+        self.look_up(hits, wants, indices);
+    }
+
+    #[inline(always)]
+    fn look_up(&self, hits: &[Hit], wants: impl Fn(usize) -> bool, indices: &mut [u32]) {
         let (geometry, instances, grids) = (&*self.geometry, &*self.placement.instances, &*self.geometry.grids);
         let (bricks, words) = (&*geometry.bricks, &*geometry.brick_materials);
         let mut places = [Place::default(); AT_A_TIME];
@@ -82,9 +96,17 @@ impl PackedScene {
     }
 }
 
+/// # Safety
+/// The processor must have the instructions.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,popcnt,bmi1,bmi2,lzcnt")]
+unsafe fn by_avx2(scene: &PackedScene, hits: &[Hit], wants: impl Fn(usize) -> bool, indices: &mut [u32]) {
+    scene.look_up(hits, wants, indices);
+}
+
 impl Place {
     /// Finds where the index of the voxel is, which must be occupied.
-    #[inline]
+    #[inline(always)]
     fn find_index(&mut self, bricks: &[u32]) {
         let header = bricks[self.record];
         let before = (header & ((1 << self.block) - 1)).count_ones() as usize;

@@ -22,7 +22,7 @@ pub use ways::CAPACITY;
 use ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, WITHIN, Ways};
 
 /// A receiver that a light is chosen for, and the random numbers that choose.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct Asked {
     /// The receiver.
     pub receiver: Receiver,
