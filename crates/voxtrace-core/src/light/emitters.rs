@@ -249,7 +249,7 @@ fn child_by_power(nodes: &[LightNode], at: usize, side: Face, threshold: f32) ->
 
 /// The emitter of a leaf, as [`child_by_power`] chooses a child.
 #[inline]
-pub(super) fn emitter_by_power(geometry: &Geometry, leaf: &LightNode, side: Face, mut threshold: f32) -> Option<u32> {
+fn emitter_by_power(geometry: &Geometry, leaf: &LightNode, side: Face, mut threshold: f32) -> Option<u32> {
     let mut chosen = None;
     for index in leaf.index..leaf.index + leaf.count {
         let emitter = &geometry.emitters[index as usize];

@@ -1,7 +1,7 @@
 //! Many ways down a tree of lights at once, sixteen in a vector: as one comes to a leaf, another one begins in its lane.
 
 use super::kernel::{Nodes, Receivers, to_array, weights_of};
-use super::ways::{CHOICE, COUNT, INDEX, INTEGERS, NODE, TOTAL, WEIGHT, Ways, window};
+use super::ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, Ways, window};
 use crate::packed::LightNode;
 use crate::walk::simd::{Bits, LANES, Row, Simd, lanes_of, prefetch};
 
@@ -16,7 +16,7 @@ const NEEDED: usize = CHOICE + 1;
 struct Lanes {
     floats: [[f32; LANES]; NEEDED],
     /// As [`Ways::integers`], with the number of the way in place of the count.
-    integers: [[i32; LANES]; INTEGERS],
+    integers: [[i32; LANES]; COUNT + 1],
     active: Bits,
 }
 

@@ -1,106 +1,148 @@
-//! From the node where a way ended to an emitter, by power alone: the side for sixteen ways at once, then a level of each way after the other, so
-//! that its nodes are there when it is its turn.
+//! From the nodes where ways ended to emitters, by power alone: a side of the node, then a level of its tree after the other, then an emitter of the
+//! leaf. Sixteen ways at a time, vector after vector, whose loads wait together.
 
-use super::kernel::{Nodes, Receivers, to_array};
-use super::ways::{CAPACITY, CHOICE, COUNT, NODE, TOTAL, WEIGHT, WITHIN, Ways, window};
-use crate::light::emitters::Odds;
-use crate::packed::LightNode;
-use crate::walk::simd::{LANES, Row, Simd, prefetch};
-use std::hint::select_unpredictable;
-use voxtrace_scene::ray::{FACES, Face};
+use super::kernel::{Nodes, Receivers};
+use super::ways::{
+    CHOICE, COUNT, EMITTER, INDEX, NODE, POWER, SIDE, THRESHOLD, TOTAL, WEIGHT, WITHIN, Ways, window, window_mut,
+};
+use crate::packed::{Emitter, LightNode};
+use crate::walk::simd::{Bits, LANES, Row, Simd, prefetch};
+use std::mem::offset_of;
 
-/// A way that has chosen a side.
-pub struct Fall {
-    /// Number of the way.
-    pub way: usize,
-    pub side: Face,
-    /// The power of the node where the way ended on that side.
-    pub power: f32,
-    /// The way's odds, with those of the side.
-    pub odds: Odds,
-    /// The node that it has come to, and what is left there of the running sum of powers.
-    pub at: usize,
-    pub threshold: f32,
+/// Bytes that processors fetch at once.
+const LINE: usize = 64;
+
+/// How many words so many bytes are.
+const fn words(bytes: usize) -> i32 {
+    (bytes / size_of::<u32>()) as i32
 }
 
-impl Fall {
-    /// Goes on to a child, as [`crate::light::emitters::child_by_power`] chooses it. Nobody foretells which, so both are read, and there is no branch.
-    #[inline(always)]
-    fn descend(&mut self, nodes: &[LightNode]) {
-        let (side, right) = (self.side as usize, nodes[self.at].index as usize);
-        let left_power = nodes[self.at + 1].power[side];
-        let is_left = (self.threshold < left_power) | (nodes[right].power[side] <= 0.0);
-        self.at = select_unpredictable(is_left, self.at + 1, right);
-        self.threshold -= select_unpredictable(is_left, 0.0, left_power);
-    }
-}
-
-/// Chooses a side for each of the ways that came to a node, as [`crate::light::emitters::choose_side`] does.
+/// Chooses a side for each of the ways that came to a node, as [`crate::light::emitters::choose_side`] does. The others have a count of −1 then.
 ///
 /// # Safety
 /// The ways with a count other than 0 must stand at nodes of the tree.
 #[inline(always)]
-pub unsafe fn begin<S: Simd>(s: S, nodes: &[LightNode], ways: &Ways, falls: &mut Vec<Fall>) {
-    falls.clear();
+pub unsafe fn choose_sides<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
     let records: &[[Row; 4]] = bytemuck::cast_slice(nodes);
-    let mut first = 0;
-    while first < ways.count {
-        let places = std::array::from_fn(|place| window(&ways.floats[place], first));
-        let receivers = Receivers::load(s, places);
-        let [weight, total, choice] =
-            [WEIGHT, TOTAL, CHOICE].map(|place| s.load_floats(window(&ways.floats[place], first)));
-        let mut at = *window(&ways.integers[NODE], first);
-        for (lane, at) in at.iter_mut().enumerate() {
-            // The first node stands in where there is no way.
-            if first + lane >= ways.count || ways.integers[COUNT][first + lane] == 0 {
-                *at = 0;
-            }
-        }
+    let lanes = s.load(&std::array::from_fn(|lane| lane as i32));
+    for first in (0..ways.count).step_by(LANES) {
+        let receivers = Receivers::load(s, std::array::from_fn(|place| window(&ways.floats[place], first)));
+        let (weight, total) = (float(s, ways, WEIGHT, first), float(s, ways, TOTAL, first));
+        let (choice, within) = (float(s, ways, CHOICE, first), float(s, ways, WITHIN, first));
+        let is_way = s.is_below(lanes, s.ints((ways.count - first) as i32));
+        let is_there = s.except(is_way, s.eq(integer(s, ways, COUNT, first), s.ints(0)));
+        // The first node stands in where there is no way.
+        let node = s.select(is_there, integer(s, ways, NODE, first), s.ints(0));
         // SAFETY: the caller's duty.
-        let sides =
-            unsafe { Nodes::gather(s, s.load(&at), records) }.choose_side(s, &receivers, [weight, total, choice]);
-        let side = to_array(s, sides.side);
-        let [power, weight, total]: [[f32; LANES]; 3] =
-            [sides.power, sides.weight, sides.total].map(|floats| bytemuck::cast(to_array(s, s.bits_of(floats))));
-        for lane in 0..LANES.min(ways.count - first) {
-            let way = first + lane;
-            if ways.integers[COUNT][way] != 0 && weight[lane] > 0.0 {
-                let power = power[lane];
-                falls.push(Fall {
-                    way,
-                    side: FACES[side[lane] as usize],
-                    power,
-                    odds: Odds { weight: weight[lane], total: total[lane] },
-                    at: at[lane] as usize,
-                    threshold: ways.floats[WITHIN][way] * power,
-                });
-            }
-        }
-        first += LANES;
+        let nodes = unsafe { Nodes::gather(s, node, records) };
+        let sides = nodes.choose_side(s, &receivers, [weight, total, choice]);
+        let is_chosen = s.both(is_there, s.lt_floats(s.floats(0.0), sides.weight));
+        set_float(s, ways, WEIGHT, first, sides.weight);
+        set_float(s, ways, TOTAL, first, sides.total);
+        set_float(s, ways, POWER, first, sides.power);
+        set_float(s, ways, THRESHOLD, first, s.mul_floats(within, sides.power));
+        set_integer(s, ways, SIDE, first, sides.side);
+        set_integer(s, ways, INDEX, first, nodes.index);
+        set_integer(s, ways, COUNT, first, s.select(is_chosen, nodes.count, s.ints(-1)));
     }
 }
 
-/// Takes all to leaves.
+/// Takes the ways that have a side to leaves: each to the child at which the running sum of the powers on its side passes its threshold, as
+/// [`crate::light::emitters::child_by_power`] chooses it.
+///
+/// # Safety
+/// Those with a count of 0 must stand at inner nodes of the tree, which must be valid.
 #[inline(always)]
-pub fn to_leaves(nodes: &[LightNode], falls: &mut [Fall]) {
-    // Places of those that have not come to one.
-    let mut going: [u16; CAPACITY] = std::array::from_fn(|place| place as u16);
-    let (mut count, mut is_first) = (falls.len(), true);
-    while count > 0 {
-        let mut kept = 0;
-        for index in 0..count {
-            let place = going[index];
-            let fall = &mut falls[usize::from(place)];
-            if !is_first {
-                fall.descend(nodes);
+pub unsafe fn to_leaves<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
+    let nodes: &[u32] = bytemuck::cast_slice(nodes);
+    let mut is_under_way = true;
+    while is_under_way {
+        is_under_way = false;
+        for first in (0..ways.count).step_by(LANES) {
+            let count = integer(s, ways, COUNT, first);
+            let going = s.eq(count, s.ints(0));
+            if !s.any(going) {
+                continue;
             }
-            let node = &nodes[fall.at];
-            // The children are there when it is this one's turn again.
-            prefetch(nodes.as_ptr().wrapping_add(fall.at + 1));
-            prefetch(nodes.as_ptr().wrapping_add(node.index as usize));
-            going[kept] = place;
-            kept += usize::from(node.count == 0);
+            is_under_way = true;
+            let (node, right) = (integer(s, ways, NODE, first), integer(s, ways, INDEX, first));
+            let (left, threshold) = (s.add(node, s.ints(1)), float(s, ways, THRESHOLD, first));
+            let side = s.add(integer(s, ways, SIDE, first), s.ints(words(offset_of!(LightNode, power))));
+            let size = s.ints(words(size_of::<LightNode>()));
+            // SAFETY: the caller's duty; both children of an inner node are nodes.
+            let (of_left, of_right) = unsafe {
+                let of_left = s.gather(s.ints(0), going, s.add(s.mul(left, size), side), nodes);
+                (s.floats_of(of_left), s.floats_of(s.gather(s.ints(0), going, s.add(s.mul(right, size), side), nodes)))
+            };
+            let is_left = s.either(s.lt_floats(threshold, of_left), s.le_floats(of_right, s.floats(0.0)));
+            let rest = s.select_floats(s.except(going, is_left), s.sub_floats(threshold, of_left), threshold);
+            let node = s.select(going, s.select(is_left, left, right), node);
+            let index = s.add(s.mul(node, size), s.ints(words(offset_of!(LightNode, index))));
+            let held = s.add(s.mul(node, size), s.ints(words(offset_of!(LightNode, count))));
+            // SAFETY: as above.
+            let (index, count) = unsafe { (s.gather(right, going, index, nodes), s.gather(count, going, held, nodes)) };
+            set_float(s, ways, THRESHOLD, first, rest);
+            set_integer(s, ways, NODE, first, node);
+            set_integer(s, ways, INDEX, first, index);
+            set_integer(s, ways, COUNT, first, count);
         }
-        (count, is_first) = (kept, false);
     }
+}
+
+/// Chooses an emitter of the leaf that each came to, as [`crate::light::emitters::emitter_by_power`] does; −1 where there is none.
+///
+/// # Safety
+/// The ways with a positive count must stand at leaves of the tree over these emitters, which must be valid.
+#[inline(always)]
+pub unsafe fn to_emitters<S: Simd>(s: S, emitters: &[Emitter], ways: &mut Ways) {
+    for (&first, &count) in ways.integers[INDEX][..ways.count].iter().zip(&ways.integers[COUNT]) {
+        let lines: *const [u8; LINE] = emitters.as_ptr().wrapping_add(first as usize).cast();
+        for line in 0..=count * size_of::<Emitter>() as i32 / LINE as i32 {
+            prefetch(lines.wrapping_add(line as usize));
+        }
+    }
+    let emitters: &[u32] = bytemuck::cast_slice(emitters);
+    for first in (0..ways.count).step_by(LANES) {
+        let side = s.shl_each(s.ints(1), integer(s, ways, SIDE, first));
+        let (mut emitter, mut count) = (integer(s, ways, INDEX, first), integer(s, ways, COUNT, first));
+        let (mut threshold, mut chosen) = (float(s, ways, THRESHOLD, first), s.ints(-1));
+        let mut open = s.except(s.mask(Bits::MAX), s.is_negative(count));
+        while s.any(open) {
+            let word = s.mul(emitter, s.ints(words(size_of::<Emitter>())));
+            let faces = s.add(word, s.ints(words(offset_of!(Emitter, faces))));
+            let luminance = s.add(word, s.ints(words(offset_of!(Emitter, luminance))));
+            // SAFETY: the caller's duty.
+            let (faces, luminance) = unsafe {
+                let faces = s.gather(s.ints(0), open, faces, emitters);
+                (faces, s.floats_of(s.gather(s.ints(0), open, luminance, emitters)))
+            };
+            let shines = s.both(open, s.test(faces, side));
+            chosen = s.select(shines, emitter, chosen);
+            let is_passed = s.both(shines, s.lt_floats(threshold, luminance));
+            threshold = s.select_floats(shines, s.sub_floats(threshold, luminance), threshold);
+            (emitter, count) = (s.add(emitter, s.ints(1)), s.sub(count, s.ints(1)));
+            open = s.except(s.except(open, is_passed), s.eq(count, s.ints(0)));
+        }
+        set_integer(s, ways, EMITTER, first, chosen);
+    }
+}
+
+#[inline(always)]
+fn float<S: Simd>(s: S, ways: &Ways, place: usize, first: usize) -> S::Floats {
+    s.load_floats(window(&ways.floats[place], first))
+}
+
+#[inline(always)]
+fn integer<S: Simd>(s: S, ways: &Ways, place: usize, first: usize) -> S::Ints {
+    s.load(window(&ways.integers[place], first))
+}
+
+#[inline(always)]
+fn set_float<S: Simd>(s: S, ways: &mut Ways, place: usize, first: usize, values: S::Floats) {
+    s.store(bytemuck::cast_mut(window_mut(&mut ways.floats[place], first)), s.bits_of(values));
+}
+
+#[inline(always)]
+fn set_integer<S: Simd>(s: S, ways: &mut Ways, place: usize, first: usize, values: S::Ints) {
+    s.store(window_mut(&mut ways.integers[place], first), values);
 }

@@ -10,16 +10,16 @@ mod kernel;
 mod tests;
 mod ways;
 
-use super::emitters::{Chosen, emitter_by_power, emitter_sample, in_grid};
+use super::emitters::{Chosen, Odds, emitter_sample, in_grid};
 use super::{LightSample, Lights, Receiver, Technique};
-use crate::packed::{Geometry, LightNode, PackedScene};
+use crate::packed::{Emitter, LightNode, PackedScene};
 use crate::walk::Instructions;
 #[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
 use crate::walk::simd::Portable;
-use crate::walk::simd::{Simd, prefetch};
-use fall::Fall;
+use crate::walk::simd::Simd;
+use voxtrace_scene::ray::FACES;
 pub use ways::CAPACITY;
-use ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, WITHIN, Ways};
+use ways::{CHOICE, COUNT, EMITTER, INDEX, NODE, POWER, SHARE, SIDE, TOTAL, WEIGHT, WITHIN, Ways};
 
 /// A receiver that a light is chosen for, and the random numbers that choose.
 #[derive(Clone, Copy, Default)]
@@ -36,17 +36,11 @@ pub struct Room {
     /// Which of the asked ones each way belongs to, and the instance it led to.
     places: [u32; CAPACITY],
     instances: [u32; CAPACITY],
-    falls: Vec<Fall>,
 }
 
 impl Default for Room {
     fn default() -> Self {
-        Self {
-            ways: Ways::none(),
-            places: [0; CAPACITY],
-            instances: [0; CAPACITY],
-            falls: Vec::with_capacity(CAPACITY),
-        }
+        Self { ways: Ways::none(), places: [0; CAPACITY], instances: [0; CAPACITY] }
     }
 }
 
@@ -88,11 +82,12 @@ pub fn sample_all(
     }
 }
 
-/// Whether rows of nodes and emitters have numbers that lanes hold.
+/// Whether words of nodes and emitters have numbers that lanes hold.
 fn is_within_reach(scene: &PackedScene) -> bool {
-    let most = i32::MAX as usize / (size_of::<LightNode>() / size_of::<[u32; 4]>());
     let (geometry, placement) = (&scene.geometry, &scene.placement);
-    geometry.light_nodes.len() <= most && geometry.emitters.len() <= most && placement.light_nodes.len() <= most
+    let has_most = |count: usize, bytes: usize| count <= i32::MAX as usize / (bytes / size_of::<u32>());
+    has_most(geometry.light_nodes.len().max(placement.light_nodes.len()), size_of::<LightNode>())
+        && has_most(geometry.emitters.len(), size_of::<Emitter>())
 }
 
 /// # Safety
@@ -135,18 +130,14 @@ impl Task<'_> {
         self.enter_grids(top, nodes, room);
         // SAFETY: as above.
         unsafe { descent::descend(s, nodes, true, &mut room.ways) };
-        // SAFETY: as above.
-        unsafe { fall::begin(s, nodes, &room.ways, &mut room.falls) };
-        fall::to_leaves(nodes, &mut room.falls);
-        for fall in &room.falls {
-            let first = nodes[fall.at].index as usize;
-            let lines: *const [u8; 64] = geometry.emitters.as_ptr().wrapping_add(first).cast();
-            prefetch(lines);
-            prefetch(lines.wrapping_add(1));
+        // SAFETY: as above; leaves hold emitters.
+        unsafe {
+            fall::choose_sides(s, nodes, &mut room.ways);
+            fall::to_leaves(s, nodes, &mut room.ways);
+            fall::to_emitters(s, &geometry.emitters, &mut room.ways);
         }
-        for fall in &room.falls {
-            let place = room.places[fall.way] as usize;
-            found[place] = self.finish(geometry, room, fall);
+        for way in 0..room.ways.count {
+            found[room.places[way] as usize] = self.finish(room, way);
         }
     }
 
@@ -173,7 +164,7 @@ impl Task<'_> {
             ways.floats[TOTAL][way] = 1.0;
             ways.floats[CHOICE][way] = choice;
             ways.floats[WITHIN][way] = u[1];
-            ways.floats[ways::SHARE][way] = pdf;
+            ways.floats[SHARE][way] = pdf;
             ways.integers[NODE][way] = 0;
             ways.integers[INDEX][way] = root.index as i32;
             ways.integers[COUNT][way] = root.count as i32;
@@ -193,7 +184,7 @@ impl Task<'_> {
             let instance = ways.integers[INDEX][from] as u32;
             let root = top[ways.integers[NODE][from] as usize].root;
             let LightNode { index, count, .. } = nodes[root as usize];
-            for place in [WEIGHT, TOTAL, CHOICE, WITHIN, ways::SHARE] {
+            for place in [WEIGHT, TOTAL, CHOICE, WITHIN, SHARE] {
                 ways.floats[place][way] = ways.floats[place][from];
             }
             let local = in_grid(&self.scene.placement.instances[instance as usize], &ways.receiver(from));
@@ -207,14 +198,17 @@ impl Task<'_> {
         }
     }
 
-    /// The light of a way that fell to a leaf.
+    /// The light of a way, if it came to an emitter.
     #[inline(always)]
-    fn finish(&self, geometry: &Geometry, room: &Room, fall: &Fall) -> Option<LightSample> {
-        let (ways, asked) = (&room.ways, &self.asked[room.places[fall.way] as usize]);
-        let emitter = emitter_by_power(geometry, &geometry.light_nodes[fall.at], fall.side, fall.threshold)?;
-        let chosen = Chosen { emitter, side: fall.side, power: fall.power };
-        let place = (room.instances[fall.way], ways.receiver(fall.way).point);
-        let sample = emitter_sample(&self.lights.emitters, &asked.receiver, place, fall.odds, chosen, asked.u)?;
-        Some(LightSample { pdf: sample.pdf * ways.floats[ways::SHARE][fall.way], ..sample })
+    fn finish(&self, room: &Room, way: usize) -> Option<LightSample> {
+        let Room { ways, places, instances } = room;
+        let emitter = u32::try_from(ways.integers[EMITTER][way]).ok()?;
+        let odds = Odds { weight: ways.floats[WEIGHT][way], total: ways.floats[TOTAL][way] };
+        let side = FACES[ways.integers[SIDE][way] as usize];
+        let chosen = Chosen { emitter, side, power: ways.floats[POWER][way] };
+        let Asked { receiver, u } = &self.asked[places[way] as usize];
+        let place = (instances[way], ways.receiver(way).point);
+        let sample = emitter_sample(&self.lights.emitters, receiver, place, odds, chosen, *u)?;
+        Some(LightSample { pdf: sample.pdf * ways.floats[SHARE][way], ..sample })
     }
 }

@@ -15,16 +15,23 @@ pub const SLACK: usize = 6;
 pub const WEIGHT: usize = 7;
 pub const TOTAL: usize = 8;
 pub const CHOICE: usize = 9;
-/// The random number that chooses within the leaf.
+/// The random number that chooses within the node.
 pub const WITHIN: usize = 10;
 /// Probability of choosing an emitter at all.
 pub const SHARE: usize = 11;
 pub const FLOATS: usize = 12;
+/// Once a side is chosen: the power on it of the node where the way ended, and what is left of the running sum of powers.
+pub const POWER: usize = WITHIN;
+pub const THRESHOLD: usize = CHOICE;
 /// Places of the quantities among the integers. An inner node and its right child; of a leaf what it holds, and how many.
 pub const NODE: usize = 0;
 pub const INDEX: usize = 1;
 pub const COUNT: usize = 2;
-pub const INTEGERS: usize = 3;
+/// The side that was chosen.
+pub const SIDE: usize = 3;
+pub const INTEGERS: usize = 4;
+/// In the end, in place of the node.
+pub const EMITTER: usize = NODE;
 
 /// One array for each quantity, a vector longer than there are ways, so that whole vectors can be read.
 pub struct Ways {
@@ -62,4 +69,10 @@ impl Ways {
 #[inline(always)]
 pub fn window<T>(values: &[T; CAPACITY + LANES], start: usize) -> &[T; LANES] {
     values[start..].first_chunk().expect("arrays are a vector longer than there are ways")
+}
+
+/// The same, to be written.
+#[inline(always)]
+pub fn window_mut<T>(values: &mut [T; CAPACITY + LANES], start: usize) -> &mut [T; LANES] {
+    values[start..].first_chunk_mut().expect("arrays are a vector longer than there are ways")
 }
