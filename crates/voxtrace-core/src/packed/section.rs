@@ -1,29 +1,46 @@
 //! One flat array of a packed scene: owned, or a part of a native file's bytes.
 
+#![expect(unsafe_code, reason = "rays read records all the time: where those lie is found once")]
+
 use super::bytes::Bytes;
 use bytemuck::Pod;
 use std::ops::Deref;
+use std::ptr::NonNull;
 use std::sync::Arc;
 
 /// An immutable array of plain records that is either owned or lies in the bytes of a native file.
 #[derive(Clone)]
 pub struct Section<T: Pod> {
+    /// The records, within what `storage` holds.
+    records: NonNull<[T]>,
     storage: Storage<T>,
 }
 
 #[derive(Clone)]
 enum Storage<T> {
     Owned(Arc<[T]>),
-    Shared { bytes: Arc<Bytes>, start: usize, end: usize },
+    /// The records begin at byte `start`.
+    Shared {
+        bytes: Arc<Bytes>,
+        start: usize,
+    },
 }
+
+// SAFETY: it is a shared array of plain records: they are written by `as_mut` and `set_length` alone, where nobody else holds the storage.
+unsafe impl<T: Pod + Send + Sync> Send for Section<T> {}
+// SAFETY: as above.
+unsafe impl<T: Pod + Send + Sync> Sync for Section<T> {}
 
 impl<T: Pod> Section<T> {
     /// The records `bytes[start..end]`, or `None` if the range is out of bounds, misaligned or no whole number of
     /// records.
     pub(super) fn from_shared(bytes: Arc<Bytes>, start: usize, end: usize) -> Option<Self> {
-        let part = bytes.get(start..end)?;
-        bytemuck::try_cast_slice::<u8, T>(part).ok()?;
-        Some(Self { storage: Storage::Shared { bytes, start, end } })
+        let records = bytemuck::try_cast_slice::<u8, T>(bytes.get(start..end)?).ok()?;
+        Some(Self { records: records.into(), storage: Storage::Shared { bytes, start } })
+    }
+
+    fn owned(records: Arc<[T]>) -> Self {
+        Self { records: (&*records).into(), storage: Storage::Owned(records) }
     }
 
     /// The records, to be written. They are copied first where somebody else has them too, or a file.
@@ -31,34 +48,39 @@ impl<T: Pod> Section<T> {
         if !self.is_writable() {
             *self = self.with_room(self.len());
         }
-        match &mut self.storage {
-            Storage::Shared { bytes, start, end } => {
-                let bytes = Arc::get_mut(bytes).and_then(Bytes::as_mut).expect("made writable above");
-                bytemuck::cast_slice_mut(&mut bytes[*start..*end])
-            }
-            Storage::Owned(records) => Arc::get_mut(records).expect("made writable above"),
-        }
+        let length = self.len();
+        self.find(length);
+        // SAFETY: nobody else holds the storage, and this borrow holds the section.
+        unsafe { self.records.as_mut() }
     }
 
     /// Makes it as long as said, with zeros where it grows. Room for more is kept, so that growing word by word copies little.
     pub(crate) fn set_length(&mut self, length: usize) {
         let has_room = match &self.storage {
-            Storage::Shared { bytes, start, .. } => {
-                self.is_writable() && (bytes.len() - start) / size_of::<T>() >= length
-            }
+            Storage::Shared { bytes, start } => self.is_writable() && (bytes.len() - start) / size_of::<T>() >= length,
             Storage::Owned(_) => false,
         };
         if !has_room {
             *self = self.with_room(length + length / 8);
         }
-        match &mut self.storage {
-            Storage::Shared { start, end, .. } => *end = *start + length * size_of::<T>(),
-            Storage::Owned(records) => {
-                let mut longer = records.to_vec();
-                longer.resize(length, T::zeroed());
-                *records = longer.into();
-            }
+        if let Storage::Owned(records) = &self.storage {
+            let mut longer = records.to_vec();
+            longer.resize(length, T::zeroed());
+            *self = Self::owned(longer.into());
         }
+        self.find(length);
+    }
+
+    /// Finds so many records anew, to be written: nobody else may hold the storage.
+    fn find(&mut self, length: usize) {
+        let records = match &mut self.storage {
+            Storage::Shared { bytes, start } => {
+                let bytes = Arc::get_mut(bytes).and_then(Bytes::as_mut).expect("it is writable");
+                bytemuck::cast_slice_mut(&mut bytes[*start..*start + length * size_of::<T>()])
+            }
+            Storage::Owned(records) => &mut Arc::get_mut(records).expect("it is writable")[..length],
+        };
+        self.records = records.into();
     }
 
     /// Whether it can be written as it is.
@@ -77,13 +99,13 @@ impl<T: Pod> Section<T> {
             bytes.as_mut()?[..size].copy_from_slice(bytemuck::cast_slice(self));
             Self::from_shared(Arc::new(bytes), 0, size)
         });
-        copy.unwrap_or_else(|| Self { storage: Storage::Owned(self.to_vec().into()) })
+        copy.unwrap_or_else(|| Self::owned(self.to_vec().into()))
     }
 
     /// Bytes of it that lie in a mapped file, which the system brings and drops.
     pub(super) fn mapped_bytes(&self) -> u64 {
         match &self.storage {
-            Storage::Shared { bytes, start, end } if matches!(**bytes, Bytes::Mapped(_)) => (end - start) as u64,
+            Storage::Shared { bytes, .. } if matches!(**bytes, Bytes::Mapped(_)) => self.size_bytes(),
             _ => 0,
         }
     }
@@ -100,7 +122,7 @@ impl<T: Pod> From<Vec<T>> for Section<T> {
         let bytes: &[u8] = bytemuck::cast_slice(&records);
         let copy = Bytes::in_large_pages(bytes).or_else(|| Bytes::copy_of(bytes).ok());
         let shared = copy.and_then(|copy| Self::from_shared(Arc::new(copy), 0, bytes.len()));
-        shared.unwrap_or_else(|| Self { storage: Storage::Owned(records.into()) })
+        shared.unwrap_or_else(|| Self::owned(records.into()))
     }
 }
 
@@ -115,16 +137,37 @@ impl<T: Pod> Deref for Section<T> {
 
     #[inline]
     fn deref(&self) -> &[T] {
-        match &self.storage {
-            Storage::Owned(records) => records,
-            // The range and the alignment were checked when the section was made, and the bytes stay where they are.
-            Storage::Shared { bytes, start, end } => bytemuck::cast_slice(&bytes[*start..*end]),
-        }
+        // SAFETY: the range and the alignment were checked when they were found, and the storage, which is held, stays where it is.
+        unsafe { self.records.as_ref() }
     }
 }
 
 impl<T: Pod + std::fmt::Debug> std::fmt::Debug for Section<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "[{} records, {} bytes]", self.len(), self.size_bytes())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read_and_copies_keep_what_they_had() {
+        let words: Vec<u32> = (0..100).collect();
+        for mut section in [words.clone().into(), Section::owned(words.into())] {
+            let copy = section.clone();
+            section.as_mut()[3] = 99;
+            let read = section.as_mut().len();
+            section.as_mut()[4] = 98;
+            assert_eq!((&section[2..6], read, &copy[2..6]), (&[2, 99, 98, 5][..], 100, &[2, 3, 4, 5][..]));
+            section.set_length(300);
+            section.as_mut()[299] = 97;
+            assert_eq!((section[3], section[98], section[299], section.len()), (99, 98, 97, 300));
+            assert!(section[100..299].iter().all(|&word| word == 0));
+            let longer = section.clone();
+            section.set_length(4);
+            assert_eq!((&*section, longer.len(), copy.len()), (&[0, 1, 2, 99][..], 300, 100));
+        }
     }
 }
