@@ -85,6 +85,10 @@ pub unsafe fn to_leaves<S: Simd>(s: S, nodes: &[LightNode], ways: &mut Ways) {
             set_integer(s, ways, NODE, first, node);
             set_integer(s, ways, INDEX, first, index);
             set_integer(s, ways, COUNT, first, count);
+            // The right child is there when it is this vector's turn again; the left one lies beside the node.
+            for &right in window(&ways.integers[INDEX], first) {
+                prefetch(nodes.as_ptr().wrapping_add(right as usize * size_of::<LightNode>() / size_of::<u32>()));
+            }
         }
     }
 }
