@@ -1,9 +1,9 @@
 //! Many ways down a tree of lights at once, sixteen in a vector: as one comes to a leaf, another one begins in its lane.
 
 use super::kernel::{Nodes, Receivers, to_array, weights_of};
-use super::ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, Ways, window};
+use super::ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, Ways};
 use crate::packed::LightNode;
-use crate::walk::simd::{Bits, LANES, Row, Simd, lanes_of, prefetch};
+use crate::walk::simd::{Bits, LANES, Row, Simd, lanes_of, prefetch, window};
 
 /// Lanes that are free before others are put there: a vector's worth of work for each.
 const FREE: u32 = 4;

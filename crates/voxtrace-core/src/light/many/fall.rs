@@ -2,11 +2,9 @@
 //! leaf. Sixteen ways at a time, vector after vector, whose loads wait together.
 
 use super::kernel::{Nodes, Receivers};
-use super::ways::{
-    CHOICE, COUNT, EMITTER, INDEX, NODE, POWER, SIDE, THRESHOLD, TOTAL, WEIGHT, WITHIN, Ways, window, window_mut,
-};
+use super::ways::{CHOICE, COUNT, EMITTER, INDEX, NODE, POWER, SIDE, THRESHOLD, TOTAL, WEIGHT, WITHIN, Ways};
 use crate::packed::{Emitter, LightNode};
-use crate::walk::simd::{Bits, LANES, Row, Simd, prefetch};
+use crate::walk::simd::{Bits, LANES, Row, Simd, prefetch, window, window_mut};
 use std::mem::offset_of;
 
 /// Bytes that processors fetch at once.

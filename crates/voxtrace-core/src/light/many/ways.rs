@@ -64,15 +64,3 @@ impl Ways {
         Receiver { point: vector(POINT), normal: vector(NORMAL), slack: self.floats[SLACK][index] }
     }
 }
-
-/// The vector of an array that begins at `start`.
-#[inline(always)]
-pub fn window<T>(values: &[T; CAPACITY + LANES], start: usize) -> &[T; LANES] {
-    values[start..].first_chunk().expect("arrays are a vector longer than there are ways")
-}
-
-/// The same, to be written.
-#[inline(always)]
-pub fn window_mut<T>(values: &mut [T; CAPACITY + LANES], start: usize) -> &mut [T; LANES] {
-    values[start..].first_chunk_mut().expect("arrays are a vector longer than there are ways")
-}

@@ -227,6 +227,18 @@ pub fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
     })
 }
 
+/// The vector of an array that begins at `start`; such arrays are a vector longer than what they hold.
+#[inline(always)]
+pub fn window<T, const N: usize>(values: &[T; N], start: usize) -> &[T; LANES] {
+    values[start..].first_chunk().expect("arrays are a vector longer than what they hold")
+}
+
+/// The same, to be written.
+#[inline(always)]
+pub fn window_mut<T, const N: usize>(values: &mut [T; N], start: usize) -> &mut [T; LANES] {
+    values[start..].first_chunk_mut().expect("arrays are a vector longer than what they hold")
+}
+
 /// A value of each quarter: of one expression, in which names in front of `=>` stand for their quarters.
 #[cfg(any(target_arch = "aarch64", target_feature = "simd128"))]
 macro_rules! quarters {

@@ -2,14 +2,14 @@
 //! at a time. The steps are those of [`LocalRay::new`] and of `Walk::enter`, so the numbers are the same.
 
 use super::journeys::Journeys;
-use super::waiting::{floor_of, window, window_mut};
+use super::waiting::floor_of;
 use super::{
     DIRECTION, FLOATS, INTEGERS, INVERSE, Lanes, ORIGIN, RAY, SIGN_INDEX, SKIP_SHIFT, T_END, TOLERANCE, VOXEL,
 };
 use crate::walk::beams::Entry;
 use crate::walk::local_ray::{LocalRay, MAX_ORIGIN, SPEED_MAX, SPEED_MIN, T_END_SCALE, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
-use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
+use crate::walk::simd::{Bits, LANES, Simd, lanes_of, window, window_mut};
 
 /// Rays prepared at a time.
 pub const CHUNK: usize = 64;

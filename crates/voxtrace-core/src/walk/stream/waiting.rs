@@ -8,7 +8,7 @@ use crate::walk::beams::{Beams, Entry};
 use crate::walk::groups::Groups;
 use crate::walk::local_ray::{LocalRay, MAX_ORIGIN, T_END_SCALE, TOLERANCE_SCALE};
 use crate::walk::scalar::Walk;
-use crate::walk::simd::{Bits, LANES, Simd, lanes_of};
+use crate::walk::simd::{Bits, LANES, Simd, lanes_of, window, window_mut};
 use voxtrace_scene::ray::Ray;
 use voxtrace_scene::transform::Transform;
 
@@ -202,15 +202,3 @@ pub fn floor_of<S: Simd>(s: S, position: S::Floats) -> (S::Ints, S::Floats) {
 
 /// The numbers of lanes.
 const NUMBERS: [i32; LANES] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
-
-/// The vector of an array that begins at `start`.
-#[inline(always)]
-pub fn window<T, const N: usize>(values: &[T; N], start: usize) -> &[T; LANES] {
-    values[start..].first_chunk().expect("arrays are a vector longer than a chunk")
-}
-
-/// The vector of an array that begins at `start`, to be written.
-#[inline(always)]
-pub fn window_mut<T, const N: usize>(values: &mut [T; N], start: usize) -> &mut [T; LANES] {
-    values[start..].first_chunk_mut().expect("arrays are a vector longer than a chunk")
-}
