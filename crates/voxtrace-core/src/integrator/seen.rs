@@ -48,10 +48,11 @@ impl Seen {
     }
 }
 
-/// The medium in which a camera ray begins, if it is one that does not scatter.
+/// The medium in which a camera ray begins, if it is one that does not scatter. The place is looked up for each ray: whether there are media at all would
+/// take a look at all materials.
 pub fn clear_medium_at(scene: &PackedScene, ray: &Ray) -> Option<Inside> {
     let point = ray.at(ray.t_min);
-    let inside = (scene.has_media() && scene.cuts.keeps(point)).then(|| scene.medium_at(point))??;
+    let inside = scene.cuts.keeps(point).then(|| scene.medium_at(point))??;
     (!scatters(scene, Some(&inside))).then_some(inside)
 }
 

@@ -8,13 +8,10 @@ use std::io::{self, Read};
 pub(super) enum Bytes {
     /// A file.
     Mapped(memmap2::Mmap),
-    /// A copy in large pages.
+    /// Memory of our own, in large pages where the system has any.
     #[cfg(target_os = "linux")]
-    Copied(memmap2::Mmap),
-    /// Memory in large pages that nobody else has and that may be written while nobody else holds it.
-    #[cfg(target_os = "linux")]
-    Writable(memmap2::MmapMut),
-    /// Whole blocks, and how many bytes of them count.
+    LargePages(memmap2::MmapMut),
+    /// The same where that would fill none: whole blocks, and how many bytes of them count.
     Owned(Box<[Block]>, usize),
 }
 
@@ -77,41 +74,12 @@ impl Bytes {
         Self::read(&mut &*bytes, bytes.len() as u64)
     }
 
-    /// A copy in large pages, where the system has them: arrays that rays read here and there otherwise wait for the tables of small ones. `None` where
-    /// it has them not, and where the copy would not fill any.
-    pub fn in_large_pages(bytes: &[u8]) -> Option<Self> {
-        #[cfg(target_os = "linux")]
-        if bytes.len() >= LARGE_PAGE {
-            let mut map = memmap2::MmapMut::map_anon(bytes.len()).ok()?;
-            // Where the system refuses, these are small pages.
-            let _ = map.advise(memmap2::Advice::HugePage);
-            map.copy_from_slice(bytes);
-            return map.make_read_only().ok().map(Self::Copied);
-        }
-        let _ = bytes;
-        None
-    }
-
-    /// Zeros that may be written, in large pages where they would fill any.
-    pub fn writable(length: usize) -> io::Result<Self> {
-        #[cfg(target_os = "linux")]
-        if length >= LARGE_PAGE {
-            let map = memmap2::MmapMut::map_anon(length)?;
-            // Where the system refuses, these are small pages.
-            let _ = map.advise(memmap2::Advice::HugePage);
-            return Ok(Self::Writable(map));
-        }
-        Self::zeroed(length as u64)
-    }
-
     /// Whether they may be written while nobody else holds them.
     pub fn is_writable(&self) -> bool {
         match self {
             Self::Mapped(_) => false,
             #[cfg(target_os = "linux")]
-            Self::Copied(_) => false,
-            #[cfg(target_os = "linux")]
-            Self::Writable(_) => true,
+            Self::LargePages(_) => true,
             Self::Owned(..) => true,
         }
     }
@@ -121,16 +89,23 @@ impl Bytes {
         match self {
             Self::Mapped(_) => None,
             #[cfg(target_os = "linux")]
-            Self::Copied(_) => None,
-            #[cfg(target_os = "linux")]
-            Self::Writable(map) => Some(map),
+            Self::LargePages(map) => Some(map),
             Self::Owned(blocks, length) => Some(&mut bytemuck::cast_slice_mut(blocks)[..*length]),
         }
     }
 
-    fn zeroed(length: u64) -> io::Result<Self> {
+    /// Zeros that may be written, in large pages where they would fill any: arrays that rays read here and there otherwise wait for the tables of
+    /// small ones.
+    pub fn zeroed(length: u64) -> io::Result<Self> {
         let too_large = || io::Error::new(io::ErrorKind::OutOfMemory, format!("no memory for {length} bytes"));
         let count = usize::try_from(length).map_err(|_| too_large())?;
+        #[cfg(target_os = "linux")]
+        if count >= LARGE_PAGE {
+            let map = memmap2::MmapMut::map_anon(count).map_err(|_| too_large())?;
+            // Where the system refuses, these are small pages.
+            let _ = map.advise(memmap2::Advice::HugePage);
+            return Ok(Self::LargePages(map));
+        }
         let blocks = bytemuck::allocation::try_zeroed_slice_box(count.div_ceil(size_of::<Block>()));
         Ok(Self::Owned(blocks.map_err(|()| too_large())?, count))
     }
@@ -144,9 +119,7 @@ impl std::ops::Deref for Bytes {
         match self {
             Self::Mapped(map) => map,
             #[cfg(target_os = "linux")]
-            Self::Copied(map) => map,
-            #[cfg(target_os = "linux")]
-            Self::Writable(map) => map,
+            Self::LargePages(map) => map,
             Self::Owned(blocks, length) => &bytemuck::cast_slice(blocks)[..*length],
         }
     }
@@ -168,10 +141,8 @@ mod tests {
             assert_eq!(bytes.as_ptr(), bytes.as_ptr());
         }
         let source: Vec<u8> = (0..3_000_001).map(|i| (i * 7 % 251) as u8).collect();
-        let large = Bytes::in_large_pages(&source);
-        assert_eq!(large.is_some(), cfg!(target_os = "linux"));
-        assert!(large.is_none_or(|bytes| *bytes == *source && bytes.as_ptr().cast::<Block>().is_aligned()));
-        assert!(Bytes::in_large_pages(&source[..1000]).is_none());
+        let large = Bytes::copy_of(&source).unwrap();
+        assert!(*large == *source && large.as_ptr().cast::<Block>().is_aligned());
     }
 
     #[test]

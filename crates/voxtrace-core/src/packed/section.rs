@@ -95,7 +95,7 @@ impl<T: Pod> Section<T> {
     fn with_room(&self, count: usize) -> Self {
         let size = size_of_val(&**self);
         let room = size.max(count * size_of::<T>()).next_multiple_of(64);
-        let copy = Bytes::writable(room).ok().and_then(|mut bytes| {
+        let copy = Bytes::zeroed(room as u64).ok().and_then(|mut bytes| {
             bytes.as_mut()?[..size].copy_from_slice(bytemuck::cast_slice(self));
             Self::from_shared(Arc::new(bytes), 0, size)
         });
@@ -120,8 +120,7 @@ impl<T: Pod> From<Vec<T>> for Section<T> {
     /// A copy, aligned as in a file, so that no record of 64 bytes lies in two lines of the cache.
     fn from(records: Vec<T>) -> Self {
         let bytes: &[u8] = bytemuck::cast_slice(&records);
-        let copy = Bytes::in_large_pages(bytes).or_else(|| Bytes::copy_of(bytes).ok());
-        let shared = copy.and_then(|copy| Self::from_shared(Arc::new(copy), 0, bytes.len()));
+        let shared = Bytes::copy_of(bytes).ok().and_then(|copy| Self::from_shared(Arc::new(copy), 0, bytes.len()));
         shared.unwrap_or_else(|| Self::owned(records.into()))
     }
 }
