@@ -1,5 +1,6 @@
 //! The CPU tracer: all cores, tile by tile, in waves of rays. The reference for every other tracer.
 
+mod in_media;
 mod ray_counts;
 mod shadow_rays;
 mod tile;
@@ -11,6 +12,7 @@ use crate::film::{AovPixel, Film};
 use crate::frame::{Frame, Integrator};
 use crate::held_film::HeldFilm;
 use crate::light::Lights;
+use crate::medium::Surrounding;
 use crate::packed::{PackedScene, Placement};
 use crate::shadow_catcher::ShadowCatcher;
 use crate::tracer::{Progress, TraceError, Tracer};
@@ -143,7 +145,9 @@ impl Tracer for CpuTracer {
             let sky = frame.light_group.sky(&scene.sky);
             let lights = Lights::new(&scene).of_group(frame.light_group, &sky);
             let catcher = ShadowCatcher::new(&scene, frame);
-            let context = wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media, catcher };
+            let surrounding = if has_media { Surrounding::of(&scene) } else { None };
+            let context =
+                wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media, surrounding, catcher };
             loop {
                 let least = film.sample_range().0;
                 if progress.is_cancelled() || least >= frame.samples {

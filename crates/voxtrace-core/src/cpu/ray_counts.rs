@@ -12,7 +12,7 @@ pub struct RayCounts {
     pub bounce: u64,
     /// Towards lights: each stretch between boundaries of media that light passes.
     pub light: u64,
-    /// The walks that found what they meet. Rays within media are in none: they go from voxel to voxel.
+    /// The walks that found what they meet. Rays within media are in none, as they go from voxel to voxel, but those in a medium around all else.
     pub walks: WalkCounts,
 }
 

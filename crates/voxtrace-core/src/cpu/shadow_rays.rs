@@ -1,5 +1,6 @@
 //! The shadow rays of a wave: those of one bounce are traced together, through media from boundary to boundary.
 
+use super::in_media::InMedia;
 use super::ray_counts::RayCounts;
 use super::wave::RenderContext;
 use crate::cuts;
@@ -21,6 +22,7 @@ pub(super) struct ShadowRays {
     blocked: Vec<bool>,
     /// Of those on their way through media, with the slots of their samples.
     under_way: Vec<(u32, Transit)>,
+    in_media: InMedia,
     hits: Vec<Hit>,
 }
 
@@ -69,7 +71,7 @@ impl ShadowRays {
         mut add: impl FnMut(u32, Vec3),
     ) {
         let (scene, is_clear) = (context.scene, context.frame.clear_shadows);
-        let Self { rays, light, inside, is_clipped, under_way, hits, .. } = self;
+        let Self { rays, light, inside, is_clipped, under_way, in_media, hits, .. } = self;
         let all = rays.iter().zip(&*light).zip(&*inside).enumerate();
         under_way.clear();
         under_way.extend(all.map(|(index, ((&ray, &(slot, light)), &inside))| {
@@ -81,26 +83,12 @@ impl ShadowRays {
                 break;
             }
             counts.light += under_way.len() as u64;
-            // Those in air look for voxels together, those in media go from voxel to voxel.
-            rays.clear();
-            rays.extend(
-                under_way.iter().filter(|(_, transit)| transit.inside.is_none()).map(|(_, transit)| transit.ray),
-            );
-            hits.clear();
-            hits.resize(rays.len(), Hit::MISS);
-            counts.walks += if scene.cuts.is_none() {
-                walk::cast_batch_whole(scene, rays, hits)
-            } else {
-                let in_air = under_way.iter().filter(|(_, transit)| transit.inside.is_none());
-                let is_clipped: Vec<bool> = in_air.map(|(_, transit)| transit.is_clipped).collect();
-                cuts::cast_batch(scene, rays, hits, |index| is_clipped[index])
-            };
+            hits.resize(under_way.len(), Hit::MISS);
+            let rays = under_way.iter().map(|(_, transit)| (transit.ray, transit.inside, transit.is_clipped));
+            counts.walks += in_media.cast(context, rays, hits);
             let mut found = hits.iter();
             under_way.retain_mut(|(slot, transit)| {
-                let hit = match &transit.inside {
-                    Some(inside) => cuts::cast_inside(scene, &transit.ray, inside, transit.is_clipped),
-                    None => found.next().copied().unwrap_or(Hit::MISS),
-                };
+                let hit = found.next().copied().unwrap_or(Hit::MISS);
                 let goes_on = transit.advance(scene, &hit, is_clear);
                 if !goes_on && transit.light != Vec3::ZERO {
                     add(*slot, transit.light);

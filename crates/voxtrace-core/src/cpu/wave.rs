@@ -1,15 +1,17 @@
 //! The paths of one tile, followed together bounce by bounce, so that the walk gets many rays at a time
 //! (Laine, Karras, Aila, "Megakernels Considered Harmful", HPG 2013).
 
+use super::in_media::InMedia;
 use super::ray_counts::RayCounts;
 use super::shadow_rays::ShadowRays;
 use super::tile::{Tile, in_blocks};
 use crate::aov::clip;
 use crate::cuts;
 use crate::frame::{Frame, Integrator};
-use crate::integrator::{DIMENSION_CAMERA, Path, cast_in_medium, essay, path};
+use crate::integrator::{DIMENSION_CAMERA, Path, essay, path, unscattered_part};
 use crate::light::many::Asked;
 use crate::light::{self, LightSample, Lights};
+use crate::medium::Surrounding;
 use crate::packed::PackedScene;
 use crate::sampler::Sampler;
 use crate::sampler::many::{Draws, Numbers};
@@ -35,6 +37,8 @@ pub struct RenderContext<'a> {
     pub camera: &'a CameraFrame,
     /// Whether paths enter voxels.
     pub has_media: bool,
+    /// The medium around all else.
+    pub surrounding: Option<Surrounding>,
     /// The ground, where it shows shadows alone.
     pub catcher: Option<ShadowCatcher<'a>>,
 }
@@ -57,7 +61,7 @@ pub struct Wave {
     paths: Vec<Path>,
     slots: Vec<u32>,
     hits: Vec<Hit>,
-    in_air: InAir,
+    in_media: InMedia,
     samples: Vec<Sample>,
     shadow_rays: ShadowRays,
     counts: RayCounts,
@@ -68,14 +72,6 @@ pub struct Wave {
     asked: Vec<Asked>,
     lights: Vec<Option<LightSample>>,
     room: light::many::Room,
-}
-
-/// The rays of a wave that are not in a medium, which are traced together: their places, the rays, and their hits.
-#[derive(Default)]
-struct InAir {
-    places: Vec<usize>,
-    rays: Vec<Ray>,
-    hits: Vec<Hit>,
 }
 
 /// One sample of one pixel of the tile.
@@ -161,26 +157,11 @@ impl Wave {
             };
             return;
         }
-        let InAir { places, rays, hits } = &mut self.in_air;
-        places.clear();
-        rays.clear();
-        for (place, (path, ray)) in self.paths.iter().zip(&self.rays).enumerate() {
-            match &path.inside {
-                Some(inside) => self.hits[place] = cast_in_medium(scene, path, inside, ray),
-                None => {
-                    places.push(place);
-                    rays.push(*ray);
-                }
-            }
-        }
-        hits.resize(rays.len(), Hit::MISS);
-        self.counts.walks += match scene.cuts.is_none() {
-            true => walk::cast_batch_whole(scene, rays, hits),
-            false => cuts::cast_batch(scene, rays, hits, |index| self.paths[places[index]].is_clipped),
-        };
-        for (&place, hit) in places.iter().zip(hits) {
-            self.hits[place] = *hit;
-        }
+        let rays = self.paths.iter().zip(&self.rays).map(|(path, ray)| {
+            let part = path.inside.map_or(*ray, |inside| unscattered_part(scene, path, &inside, ray));
+            (part, path.inside, path.is_clipped)
+        });
+        self.counts.walks += self.in_media.cast(context, rays, &mut self.hits);
     }
 
     /// Takes every path one bounce further and compacts the active paths.

@@ -43,6 +43,6 @@ pub(crate) fn occluded_batch(
 /// As [`medium::cast_inside`]: where the medium is cut, the ray leaves it through the face of the cut.
 pub fn cast_inside(scene: &PackedScene, ray: &Ray, inside: &Inside, is_clipped: bool) -> Hit {
     let span = scene.cuts.span_of(ray, is_clipped);
-    let hit = medium::cast_inside(scene, &Ray { t_max: ray.t_max.min(span.t_out), ..*ray }, inside);
+    let hit = medium::cast_inside(scene, &span.up_to_its_end(ray), inside);
     span.left(hit, ray.t_min, ray.t_max, inside)
 }

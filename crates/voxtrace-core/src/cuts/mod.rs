@@ -9,6 +9,7 @@ use crate::surface::{MARGIN_MAX, MARGIN_MIN};
 pub use cast::{cast, cast_inside};
 pub(crate) use cast::{cast_batch, occluded_batch};
 use glam::Vec3;
+pub(crate) use span::Span;
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// Most planes of all cuts of a scene: six of a box, and six others.

@@ -31,6 +31,12 @@ impl Span {
         Ray { t_min: self.t_in, t_max: self.t_out, ..*ray }
     }
 
+    /// The ray up to the end of the part: in media it begins where it is.
+    #[inline]
+    pub fn up_to_its_end(&self, ray: &Ray) -> Ray {
+        Ray { t_max: ray.t_max.min(self.t_out), ..*ray }
+    }
+
     /// What the ray met whose part met `hit`: a voxel in which the part begins is cut there.
     #[inline]
     pub fn entered(&self, hit: Hit) -> Hit {

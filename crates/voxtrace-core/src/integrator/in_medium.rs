@@ -10,7 +10,12 @@ use voxtrace_scene::ray::{Hit, Ray};
 /// What the ray of a path inside of a medium meets: where it leaves the medium, or a miss where it is scattered before, whose `voxel` is the
 /// one where that happens.
 pub fn cast_in_medium(scene: &PackedScene, path: &Path, inside: &Inside, ray: &Ray) -> Hit {
-    cast_inside(scene, &Ray { t_max: scattering_t(scene, path, inside, ray), ..*ray }, inside, path.is_clipped)
+    cast_inside(scene, &unscattered_part(scene, path, inside, ray), inside, path.is_clipped)
+}
+
+/// The ray of a path inside of a medium up to where it is scattered.
+pub fn unscattered_part(scene: &PackedScene, path: &Path, inside: &Inside, ray: &Ray) -> Ray {
+    Ray { t_max: scattering_t(scene, path, inside, ray), ..*ray }
 }
 
 /// Where on its ray the path is scattered, if it gets there; infinite in clear media.

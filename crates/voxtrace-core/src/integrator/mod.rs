@@ -6,7 +6,7 @@ mod in_medium;
 pub mod path;
 pub mod seen;
 
-pub use in_medium::cast_in_medium;
+pub use in_medium::{cast_in_medium, unscattered_part};
 
 use crate::light::Receiver;
 use crate::medium::Inside;

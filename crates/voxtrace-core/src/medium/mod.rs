@@ -6,6 +6,7 @@
 
 pub mod phase;
 mod shadow;
+mod surrounding;
 mod walk;
 
 use crate::math::{exponential, logarithm};
@@ -13,6 +14,7 @@ use crate::packed::{PackedInstance, PackedMaterial, PackedScene};
 use crate::surface::{Surface, clamp_to_voxel};
 use glam::{IVec3, Vec3};
 pub use shadow::{MAX_BOUNDARIES, Transit};
+pub use surrounding::{RaysWithin, Surrounding};
 use voxtrace_scene::ray::{Face, Hit, Ray};
 pub use walk::cast_inside;
 

@@ -13,43 +13,67 @@ use voxtrace_scene::ray::{Hit, Ray};
 /// Where a ray that starts in the voxel of `inside` leaves its medium: the voxel beyond, which may be empty, and the face through which the
 /// ray enters it. A miss where its segment ends before; then `voxel` is the last one of the medium.
 pub fn cast_inside(scene: &PackedScene, ray: &Ray, inside: &Inside) -> Hit {
-    let geometry = &*scene.geometry;
-    let placed = &scene.placement.instances[inside.instance as usize];
-    let grid = &geometry.grids[placed.grid as usize];
-    let ended = |voxel: IVec3| Hit { voxel, ..Hit::MISS };
-    let Some(local) = LocalRay::new(ray, &placed.grid_from_world) else { return ended(inside.voxel) };
-    let mut materials = BrickMaterials::new(geometry, grid);
-    let mut last = inside.voxel;
-    let has_end = ray.t_max < f32::INFINITY;
-    let (own, beyond) = loop {
-        let voxel = next_voxel(&local, last);
-        if has_end && hit_of(&local, voxel, inside.instance).t > ray.t_max {
-            break (ended(last), None);
-        }
-        let beyond = materials.at(voxel);
-        if beyond != Some(inside.material) {
-            break (hit_of(&local, voxel, inside.instance), beyond);
-        }
-        last = voxel;
-    };
+    let way = WayOut::of(scene, ray, inside);
     if scene.placement.instances.len() == 1 {
-        return own;
+        return way.own;
     }
-    // Instances of lower index begin wherever they are, the others where this one ends.
-    let before = Ray { t_max: own.t.min(ray.t_max), ..*ray };
-    let lower = cast_below(scene, &before, inside.instance);
-    if !lower.is_miss() {
-        return lower;
+    way.met(scene, ray, inside, cast_below(scene, &way.before, inside.instance))
+}
+
+/// The way of a ray out of its medium, as if there were no other instances.
+pub(super) struct WayOut {
+    /// Where it leaves.
+    own: Hit,
+    /// Material of the voxel beyond.
+    beyond: Option<u32>,
+    /// The ray up to there, on which instances of lower index may begin.
+    pub before: Ray,
+}
+
+impl WayOut {
+    /// Follows a ray that starts in the voxel of `inside`.
+    pub fn of(scene: &PackedScene, ray: &Ray, inside: &Inside) -> Self {
+        let placed = &scene.placement.instances[inside.instance as usize];
+        let grid = &scene.geometry.grids[placed.grid as usize];
+        let ended = |voxel: IVec3| Hit { voxel, ..Hit::MISS };
+        let Some(local) = LocalRay::new(ray, &placed.grid_from_world) else {
+            return Self { own: ended(inside.voxel), beyond: None, before: Ray { t_max: -1.0, ..*ray } };
+        };
+        let mut materials = BrickMaterials::new(&scene.geometry, grid);
+        let mut last = inside.voxel;
+        let has_end = ray.t_max < f32::INFINITY;
+        let (own, beyond) = loop {
+            let voxel = next_voxel(&local, last);
+            if has_end && hit_of(&local, voxel, inside.instance).t > ray.t_max {
+                break (ended(last), None);
+            }
+            let beyond = materials.at(voxel);
+            if beyond != Some(inside.material) {
+                break (hit_of(&local, voxel, inside.instance), beyond);
+            }
+            last = voxel;
+        };
+        Self { own, beyond, before: Ray { t_max: own.t.min(ray.t_max), ..*ray } }
     }
-    if own.is_miss() || beyond.is_some() {
-        return own;
+
+    /// What the ray meets that met `lower` on the way: instances of lower index begin wherever they are, the others where this one ends.
+    pub fn met(&self, scene: &PackedScene, ray: &Ray, inside: &Inside, lower: Hit) -> Hit {
+        let own = self.own;
+        if !lower.is_miss() {
+            return lower;
+        }
+        if own.is_miss() || self.beyond.is_some() {
+            return own;
+        }
+        let placed = &scene.placement.instances[inside.instance as usize];
+        let Some(local) = LocalRay::new(ray, &placed.grid_from_world) else { return own };
+        let point = local.origin + local.direction * own.t;
+        let in_air = placed.world_from_grid.point(behind(placed, own.voxel.as_vec3(), own.face(), point));
+        let Some((instance, voxel)) = voxel_at(scene, in_air, Some(inside.instance)) else { return own };
+        let normal = placed.world_normal(own.face());
+        let face = face_towards(&scene.placement.instances[instance as usize], normal);
+        Hit { t: own.t, instance, voxel, face: face as u32 }
     }
-    let point = local.origin + local.direction * own.t;
-    let in_air = placed.world_from_grid.point(behind(placed, own.voxel.as_vec3(), own.face(), point));
-    let Some((instance, voxel)) = voxel_at(scene, in_air, Some(inside.instance)) else { return own };
-    let normal = placed.world_normal(own.face());
-    let face = face_towards(&scene.placement.instances[instance as usize], normal);
-    Hit { t: own.t, instance, voxel, face: face as u32 }
 }
 
 /// The voxel at a point, world space, in the instance of the lowest index that has one there. `None` in air.

@@ -368,6 +368,11 @@ impl PackedScene {
         Self { placement: Placement::of_sound(&self.geometry, left), ..self.clone() }
     }
 
+    /// The same scene with its first instances alone.
+    pub(crate) fn with_first(&self, count: usize) -> Self {
+        Self { placement: Placement::of_sound(&self.geometry, self.placement.instances()[..count].to_vec()), ..self.clone() }
+    }
+
     /// Replaces the trees over the emitters of the grids, to try importances of one's own.
     ///
     /// # Errors
