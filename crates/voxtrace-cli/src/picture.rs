@@ -1,5 +1,6 @@
 //! The files that a film is written to, and the options that say how.
 
+use crate::clip::Clip;
 use crate::failure::Failure;
 use crate::outputs;
 use crate::parse;
@@ -71,8 +72,11 @@ fn format_of(path: &Path) -> Result<PictureFormat, Failure> {
         }
     }
     PictureFormat::of(path).ok_or_else(|| {
-        Failure::usage(format!("{}: unknown kind of picture", path.display()))
-            .hint("name it .png, .exr or .vxf (the film itself)")
+        let hint = match Clip::is_clip(path) {
+            true => "`voxtrace animate` writes clips; a picture is named .png, .exr or .vxf (the film itself)",
+            false => "name it .png, .exr or .vxf (the film itself)",
+        };
+        Failure::usage(format!("{}: unknown kind of picture", path.display())).hint(hint)
     })
 }
 

@@ -8,6 +8,7 @@ use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
 use voxtrace::import::ClipChoice;
+use voxtrace::output::PictureFormat;
 
 /// Render the frames of an animation, as pictures or as a clip
 ///
@@ -40,6 +41,12 @@ impl AnimateArgs {
                     .hint("it names a file beside this one, or a built-in scene")
             })?;
             self.render.scene.scenes = vec![scene];
+        }
+        let is_known =
+            |path: &PathBuf| Clip::is_clip(path) || PictureFormat::of(path).is_some() || path.as_os_str() == "-";
+        if let Some(unknown) = self.render.picture.output.iter().find(|path| !is_known(path)) {
+            let failure = Failure::usage(format!("{}: unknown kind of clip or picture", unknown.display()));
+            return Err(failure.hint("name it clip.mp4, clip.gif or clip.png, or frames shot_####.png, .exr or .vxf"));
         }
         let frames_of = |path: &PathBuf| !Clip::is_clip(path);
         let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =

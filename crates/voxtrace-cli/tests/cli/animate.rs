@@ -261,6 +261,11 @@ fn faults_of_an_animation_are_one_line_with_file_line_and_key() {
     std::fs::write(folder.path("turn.toml"), "frames = 2").unwrap();
     assert!(folder.fail(&["animate", "turn.toml", "-o", "a.gif"], 3).contains("`scene` is missing"));
     assert!(folder.fail(&["animate", "room.vox"], 2).contains("clip.mp4"));
+    for name in ["clip.webm", "shot_####.jpg", "clip"] {
+        let told = folder.fail(&["animate", "room.vox", "-o", name], 2);
+        assert!(told.contains(name) && told.contains("clip.mp4") && told.contains("shot_####.png"), "{told}");
+    }
+    assert!(folder.fail(&["render", "room.vox", "-o", "clip.mp4"], 2).contains("`voxtrace animate`"));
 }
 
 #[test]

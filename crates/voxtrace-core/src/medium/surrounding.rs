@@ -91,8 +91,12 @@ mod tests {
         }
         let materials = vec![Material::diffuse(Vec3::ONE), Material::glass(1.5, 0.0)];
         let mut scene = Scene::from_grid("grains", grid.clone(), materials);
-        scene.add_instance(grid, Transform { linear: Mat3::from_rotation_z(0.7), translation: Vec3::new(9.0, -4.0, 2.0) });
-        let (ground, fog) = (Ground { height: None, color: Vec3::ONE }, Fog { density: 0.05, color: Vec3::ONE, anisotropy: 0.0 });
+        scene.add_instance(
+            grid,
+            Transform { linear: Mat3::from_rotation_z(0.7), translation: Vec3::new(9.0, -4.0, 2.0) },
+        );
+        let (ground, fog) =
+            (Ground { height: None, color: Vec3::ONE }, Fog { density: 0.05, color: Vec3::ONE, anisotropy: 0.0 });
         PackedScene::pack(&scene).unwrap().with_surroundings(Some(&ground), Some(&fog)).unwrap()
     }
 

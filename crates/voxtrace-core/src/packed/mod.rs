@@ -370,7 +370,10 @@ impl PackedScene {
 
     /// The same scene with its first instances alone.
     pub(crate) fn with_first(&self, count: usize) -> Self {
-        Self { placement: Placement::of_sound(&self.geometry, self.placement.instances()[..count].to_vec()), ..self.clone() }
+        Self {
+            placement: Placement::of_sound(&self.geometry, self.placement.instances()[..count].to_vec()),
+            ..self.clone()
+        }
     }
 
     /// Replaces the trees over the emitters of the grids, to try importances of one's own.

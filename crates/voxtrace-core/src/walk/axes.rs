@@ -4,7 +4,7 @@
 
 use super::beams::{Beams, Entry};
 use super::exact;
-use super::local_ray::{LocalRay, MAX_ORIGIN};
+use super::local_ray::{LocalRay, MAX_ORIGIN, turned};
 use super::scalar::{Leave, Place, SHIFT, Step, Walk};
 use super::simd::LANES;
 use crate::packed::{Geometry, PackedGrid, PackedInstance};
@@ -39,7 +39,7 @@ struct Turn {
 pub fn first_hits(geometry: &Geometry, instance: &PackedInstance, rays: &[Ray], hits: &mut [Hit]) {
     let grid = &geometry.grids[instance.grid as usize];
     let arrays: (&[u32], &[u32]) = (&geometry.cells, &geometry.bricks);
-    let is_plain = instance.grid_from_world == Transform::IDENTITY;
+    let rays = &*turned(rays, &instance.grid_from_world);
     let mut beams = Beams::new(geometry, grid, rays);
     let mut entry = Entry::Start;
     let mut next = 0;
@@ -47,10 +47,10 @@ pub fn first_hits(geometry: &Geometry, instance: &PackedInstance, rays: &[Ray], 
         while let Some(ray) = rays.get(next) {
             let index = next;
             next += 1;
-            if is_plain && index.is_multiple_of(LANES) {
+            if index.is_multiple_of(LANES) {
                 entry = beams.entry(index / LANES);
             }
-            if let Some(local) = LocalRay::new(ray, &instance.grid_from_world)
+            if let Some(local) = LocalRay::new(ray, &Transform::IDENTITY)
                 && let Some((axes, voxel)) = Axes::new(local, grid, entry)
             {
                 return Some(Turn { index, axes, place: Place::at(voxel) });

@@ -7,14 +7,14 @@ use super::avx512;
 use super::counts::WalkCounts;
 use super::groups::Groups;
 use super::instructions::Instructions;
+use super::local_ray::turned;
 #[cfg(not(all(target_arch = "wasm32", target_os = "unknown", target_feature = "simd128")))]
 use super::simd::Portable;
 use super::simd::{LANES, Simd};
 use super::{axes, cast_whole, occluded, stream};
 use crate::cuts;
-use crate::packed::{PackedGrid, PackedScene, WideTree};
+use crate::packed::{Geometry, PackedGrid, PackedScene, WideTree};
 use voxtrace_scene::ray::{Hit, Ray};
-use voxtrace_scene::transform::Transform;
 
 /// Finds for each ray its first hit in what cuts keep. Both slices must have the same length.
 pub fn cast_batch(scene: &PackedScene, rays: &[Ray], hits: &mut [Hit]) -> WalkCounts {
@@ -122,7 +122,7 @@ struct Batch<'a> {
 }
 
 impl Batch<'_> {
-    /// Finds the hits of all rays. `packets` finds those of some groups of rays, of a scene of one grid that is not transformed. Returns how many
+    /// Finds the hits of all rays. `packets` finds those of some groups of rays in the space of the grid, where there is one alone. Returns how many
     /// rays those are.
     ///
     /// # Safety
@@ -132,7 +132,7 @@ impl Batch<'_> {
         &self,
         simd: S,
         hits: &mut [Hit],
-        packets: impl FnOnce(&Self, &PackedGrid, &mut [Hit]) -> Groups,
+        packets: impl FnOnce((&Geometry, &PackedGrid), &[Ray], &mut [Hit]) -> Groups,
     ) -> usize {
         let (scene, rays) = (self.scene, self.rays);
         if let Some(tree) = self.tree {
@@ -141,9 +141,8 @@ impl Batch<'_> {
             return 0;
         }
         let instance = &scene.placement.instances[0];
-        let (grid, from_world) = (&scene.geometry.grids[instance.grid as usize], &instance.grid_from_world);
-        let is_plain = *from_world == Transform::IDENTITY;
-        let done = if is_plain { packets(self, grid, hits) } else { Groups::none_of(rays.len()) };
+        let (grid, rays) = (&scene.geometry.grids[instance.grid as usize], &*turned(rays, &instance.grid_from_world));
+        let done = packets((&scene.geometry, grid), rays, hits);
         for (group, hits) in hits.chunks_mut(LANES).enumerate() {
             if !done.contains(group) {
                 hits.fill(Hit::MISS);
@@ -151,13 +150,13 @@ impl Batch<'_> {
         }
         let grid = (&*scene.geometry, grid);
         // SAFETY: the caller's duty.
-        unsafe { stream::first_hits_in_grid(simd, grid, from_world, rays, &done, hits) };
+        unsafe { stream::first_hits_in_grid(simd, grid, rays, &done, hits) };
         done.count_of(rays.len())
     }
 
     /// Where there are no instructions for packets.
-    fn no_packets(&self, _: &PackedGrid, _: &mut [Hit]) -> Groups {
-        Groups::none_of(self.rays.len())
+    fn no_packets(_: (&Geometry, &PackedGrid), rays: &[Ray], _: &mut [Hit]) -> Groups {
+        Groups::none_of(rays.len())
     }
 }
 
@@ -175,10 +174,10 @@ unsafe fn by_avx2(batch: &Batch, hits: &mut [Hit]) -> usize {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
 unsafe fn by_avx512(batch: &Batch, hits: &mut [Hit]) -> usize {
-    let packets = |batch: &Batch, grid: &PackedGrid, hits: &mut [Hit]| {
-        let mut done = Groups::none_of(batch.rays.len());
+    let packets = |(geometry, grid): (&Geometry, &PackedGrid), rays: &[Ray], hits: &mut [Hit]| {
+        let mut done = Groups::none_of(rays.len());
         // SAFETY: the caller's duty.
-        unsafe { avx512::cast(&batch.scene.geometry, grid, batch.rays, hits, &mut done) };
+        unsafe { avx512::cast(geometry, grid, rays, hits, &mut done) };
         done
     };
     // SAFETY: the caller's duty.
@@ -190,6 +189,7 @@ mod tests {
     use super::*;
     use glam::{IVec3, Vec3};
     use std::sync::Arc;
+    use voxtrace_scene::transform::Transform;
     use voxtrace_scene::{Instance, Material, Scene, VoxelGrid};
 
     /// What the interpreter for undefined behaviour runs: it knows no vector instructions.

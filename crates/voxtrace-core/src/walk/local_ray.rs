@@ -2,6 +2,7 @@
 
 use crate::packed::PackedGrid;
 use glam::Vec3;
+use std::borrow::Cow;
 use voxtrace_scene::ray::Ray;
 use voxtrace_scene::transform::Transform;
 
@@ -19,6 +20,19 @@ pub(super) const T_END_SCALE: f32 = 1.0 + 1e-6;
 
 /// Largest absolute coordinate of a ray's origin, voxels of the grid.
 pub const MAX_ORIGIN: f32 = 2_097_152.0;
+
+/// Rays in the space of a grid, as [`LocalRay::new`] turns them: what a ray meets there is what it meets in the grid where that stands.
+pub(super) fn turned<'a>(rays: &'a [Ray], grid_from_world: &Transform) -> Cow<'a, [Ray]> {
+    if *grid_from_world == Transform::IDENTITY {
+        return Cow::Borrowed(rays);
+    }
+    let turned = |ray: &Ray| Ray {
+        origin: grid_from_world.point(ray.origin),
+        direction: grid_from_world.direction(ray.direction),
+        ..*ray
+    };
+    Cow::Owned(rays.iter().map(turned).collect())
+}
 
 /// A ray in grid space.
 #[derive(Clone, Copy, Debug)]

@@ -21,7 +21,6 @@ use grids::{GridOfEach, OneGrid};
 use kernel::Kernel;
 pub use of_scene::first_hits;
 use voxtrace_scene::ray::{Hit, Ray};
-use voxtrace_scene::transform::Transform;
 use waiting::Waiting;
 
 /// Lanes without a ray before the kernel stops to refill them.
@@ -71,8 +70,8 @@ pub struct Lanes {
     pub active: Bits,
 }
 
-/// Finds the first hit of each ray in a grid, which has the number 0, but of those in groups that are done. `hits` of rays that meet nothing are
-/// left as they are.
+/// Finds the first hit of each ray, in the space of a grid, in that, which has the number 0, but of those in groups that are done. `hits` of rays that meet
+/// nothing are left as they are.
 ///
 /// # Safety
 /// `geometry` must be valid as [`Geometry::validate`] says.
@@ -80,13 +79,12 @@ pub struct Lanes {
 pub unsafe fn first_hits_in_grid<S: Simd>(
     simd: S,
     (geometry, grid): (&Geometry, &PackedGrid),
-    grid_from_world: &Transform,
     rays: &[Ray],
     done: &Groups,
     hits: &mut [Hit],
 ) {
     let kernel = Kernel::new(simd, geometry, OneGrid(grid));
-    let mut waiting = Waiting::new(rays, done, (geometry, grid), grid_from_world);
+    let mut waiting = Waiting::new(rays, done, (geometry, grid));
     let mut groups = [Lanes::empty(); GROUPS];
     let mut is_under_way = true;
     while is_under_way {

@@ -22,7 +22,6 @@ pub struct Waiting<'a> {
     /// Rays prepared so far, or done before: always whole groups.
     prepared: usize,
     grid: &'a PackedGrid,
-    grid_from_world: &'a Transform,
     beams: Beams<'a>,
     /// One array for each quantity; a vector more than a chunk, so that whole vectors can be read and written.
     floats: [[f32; CHUNK + LANES]; FLOATS],
@@ -34,15 +33,10 @@ pub struct Waiting<'a> {
 
 impl<'a> Waiting<'a> {
     #[inline(always)]
-    pub fn new(
-        rays: &'a [Ray],
-        done: &'a Groups,
-        (geometry, grid): (&'a Geometry, &'a PackedGrid),
-        grid_from_world: &'a Transform,
-    ) -> Self {
+    pub fn new(rays: &'a [Ray], done: &'a Groups, (geometry, grid): (&'a Geometry, &'a PackedGrid)) -> Self {
         let (floats, integers) = ([[0.0; CHUNK + LANES]; FLOATS], [[0; CHUNK + LANES]; INTEGERS]);
         let beams = Beams::new(geometry, grid, rays);
-        Self { rays, done, prepared: 0, grid, grid_from_world, beams, floats, integers, next: 0, end: 0 }
+        Self { rays, done, prepared: 0, grid, beams, floats, integers, next: 0, end: 0 }
     }
 
     /// Puts ready rays into all free lanes, or as many as there are.
@@ -74,7 +68,6 @@ impl<'a> Waiting<'a> {
     #[inline(always)]
     fn prepare<S: Simd>(&mut self, simd: S) -> bool {
         (self.next, self.end) = (0, 0);
-        let is_identity = *self.grid_from_world == Transform::IDENTITY;
         while self.end == 0 && self.prepared < self.rays.len() {
             let chunk_end = self.rays.len().min(self.prepared + CHUNK);
             while self.prepared < chunk_end {
@@ -83,10 +76,10 @@ impl<'a> Waiting<'a> {
                     self.prepared += count;
                     continue;
                 }
-                let entry = if is_identity { self.beams.entry(self.prepared / LANES) } else { Entry::Start };
+                let entry = self.beams.entry(self.prepared / LANES);
                 let plain = match self.rays[self.prepared..].first_chunk() {
                     _ if entry == Entry::Never => Bits::MAX,
-                    Some(rays) if is_identity && count == LANES => self.prepare_vector(simd, rays, entry),
+                    Some(rays) if count == LANES => self.prepare_vector(simd, rays, entry),
                     _ => 0,
                 };
                 for lane in lanes_of(!plain & (Bits::MAX >> (LANES - count))) {
@@ -99,7 +92,7 @@ impl<'a> Waiting<'a> {
     }
 
     /// Prepares those of the next sixteen rays that need no special care: that begin within the grid's bounds, surely in one voxel, and move
-    /// along every axis at a sensible speed. Returns which they are. The grid must not be transformed.
+    /// along every axis at a sensible speed. Returns which they are.
     #[inline(always)]
     fn prepare_vector<S: Simd>(&mut self, s: S, rays: &[Ray; LANES], entry: Entry) -> Bits {
         let (zero, one) = (s.floats(0.0), s.floats(1.0));
@@ -172,7 +165,7 @@ impl<'a> Waiting<'a> {
     /// Prepares any ray.
     #[cold]
     fn prepare_one(&mut self, index: usize, entry: Entry) {
-        let Some(local) = LocalRay::new(&self.rays[index], self.grid_from_world) else { return };
+        let Some(local) = LocalRay::new(&self.rays[index], &Transform::IDENTITY) else { return };
         let walk = Walk::new(&local, self.grid);
         let Some(voxel) = walk.begin(self.grid, entry) else { return };
         let (relative, octant, at) = (voxel - self.grid.origin, local.octant(), self.end);
