@@ -109,7 +109,7 @@ mod tests {
         let vector = |index: u32, of: u32| Vec3::new(number(index, of), number(index, of + 1), number(index, of + 2));
         let ray = |index: u32| {
             let direction = vector(index, 3) - 0.5;
-            let t_max = if index % 3 == 0 { f32::INFINITY } else { 300.0 * number(index, 6) };
+            let t_max = if index.is_multiple_of(3) { f32::INFINITY } else { 300.0 * number(index, 6) };
             Ray { t_max, ..Ray::new(vector(index, 0) * 50.0 - 10.0, direction) }
         };
         let rays = (0..4000).map(ray).filter_map(|ray| {
