@@ -37,7 +37,7 @@ impl InMedia {
                     self.rays.push(ray);
                     self.is_clipped.push(is_clipped);
                 }
-                Some(inside) if context.surrounding.as_ref().is_some_and(|around| around.is_around(inside)) => {
+                Some(inside) if context.surrounding.is_some_and(|around| around.is_around(inside)) => {
                     self.within.push(scene, place, &ray, inside, is_clipped);
                 }
                 Some(inside) => hits[place] = cuts::cast_inside(scene, &ray, inside, is_clipped),
@@ -51,7 +51,7 @@ impl InMedia {
         for (&place, hit) in self.places.iter().zip(&self.hits) {
             hits[place] = *hit;
         }
-        if let Some(surrounding) = &context.surrounding {
+        if let Some(surrounding) = context.surrounding {
             counts += self.within.cast(scene, surrounding, hits);
         }
         counts

@@ -19,7 +19,7 @@ use crate::tracer::{Progress, TraceError, Tracer};
 use crate::walk;
 use rayon::prelude::*;
 use std::ops::Add;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::ray::{Hit, Ray};
 use wave::Wave;
@@ -37,6 +37,8 @@ pub struct CpuTracer {
     tile_size: u32,
     has_whole_tiles: Option<bool>,
     scene: Option<Arc<PackedScene>>,
+    /// That of the scene, once it was asked for.
+    surrounding: OnceLock<Option<Surrounding>>,
     film: HeldFilm,
     rays: RayCounts,
 }
@@ -50,6 +52,7 @@ impl CpuTracer {
             tile_size: 32,
             has_whole_tiles: None,
             scene: None,
+            surrounding: OnceLock::new(),
             film: HeldFilm::default(),
             rays: RayCounts::default(),
         }
@@ -97,12 +100,14 @@ impl CpuTracer {
 impl Tracer for CpuTracer {
     fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         self.scene = Some(Arc::clone(scene));
+        self.surrounding = OnceLock::new();
         self.film.forget();
         Ok(())
     }
 
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
         self.scene = Some(Arc::new(self.scene()?.with_placement(placement)?));
+        self.surrounding = OnceLock::new();
         self.film.forget();
         Ok(())
     }
@@ -110,6 +115,8 @@ impl Tracer for CpuTracer {
     fn patch(&mut self, patch: &Patch) -> Result<(), TraceError> {
         let scene = self.scene.as_mut().ok_or(TraceError::NoScene)?;
         if !patch.is_empty() {
+            // It shares the arrays, which would be copied.
+            self.surrounding = OnceLock::new();
             Arc::make_mut(scene).apply_patch(patch)?;
             self.film.forget();
         }
@@ -145,7 +152,8 @@ impl Tracer for CpuTracer {
             let sky = frame.light_group.sky(&scene.sky);
             let lights = Lights::new(&scene).of_group(frame.light_group, &sky);
             let catcher = ShadowCatcher::new(&scene, frame);
-            let surrounding = if has_media { Surrounding::of(&scene) } else { None };
+            let surrounding = if has_media { self.surrounding.get_or_init(|| Surrounding::of(&scene)) } else { &None };
+            let surrounding = surrounding.as_ref();
             let context =
                 wave::RenderContext { scene: &scene, lights, frame, camera: &camera, has_media, surrounding, catcher };
             loop {

@@ -38,7 +38,7 @@ pub struct RenderContext<'a> {
     /// Whether paths enter voxels.
     pub has_media: bool,
     /// The medium around all else.
-    pub surrounding: Option<Surrounding>,
+    pub surrounding: Option<&'a Surrounding>,
     /// The ground, where it shows shadows alone.
     pub catcher: Option<ShadowCatcher<'a>>,
 }

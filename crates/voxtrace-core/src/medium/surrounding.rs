@@ -76,7 +76,9 @@ mod tests {
     use super::*;
     use crate::cuts::{self, Cuts};
     use crate::surroundings::{Fog, Ground};
+    use crate::{CpuTracer, Film, Frame, Placement, Progress, Tracer};
     use glam::{IVec3, Mat3, Vec3};
+    use std::sync::Arc;
     use voxtrace_scene::grid::VoxelGrid;
     use voxtrace_scene::material::Material;
     use voxtrace_scene::scene::Scene;
@@ -146,6 +148,29 @@ mod tests {
             let fewer = Surrounding { others: scene.with_first(1), ..surrounding };
             assert_ne!(together(&scene, &fewer, &rays), wanted);
         }
+    }
+
+    #[test]
+    fn things_that_move_in_fog_are_seen_where_they_are() {
+        let scene = Arc::new(scene());
+        let frame = Frame { samples: 2, ..Frame::new(scene.with_first(2).overview(1.0), 16, 16) };
+        let film = |tracer: &mut CpuTracer| {
+            tracer.render(&frame, &Progress::default()).unwrap();
+            let mut film = Film::new(frame.width, frame.height, frame.region, 0);
+            tracer.read(&mut film).unwrap();
+            film
+        };
+        let mut tracer = CpuTracer::new(Some(1));
+        tracer.set_scene(&scene).unwrap();
+        let before = film(&mut tracer);
+        let mut instances = scene.instances().to_vec();
+        instances[0].world_from_grid.translation.z += 12.0;
+        let moved = Arc::new(scene.with_placement(&Placement::new(&scene.geometry, instances).unwrap()).unwrap());
+        tracer.set_placement(&moved.placement).unwrap();
+        let after = film(&mut tracer);
+        let mut fresh = CpuTracer::new(Some(1));
+        fresh.set_scene(&moved).unwrap();
+        assert!(after == film(&mut fresh) && after != before);
     }
 
     #[test]
