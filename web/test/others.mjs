@@ -77,22 +77,41 @@ async function startScreen() {
   return { display: `:${String(number).trim()}`, end: () => screen.kill() };
 }
 
-/** Starts WebKit's driver, and with each page a browser. Its browser needs a screen, which it is given. */
-export async function startWebkit() {
-  const [port, screen] = await Promise.all([freePort(), startScreen()]);
-  const env = { ...process.env, DISPLAY: screen.display };
-  const driver = spawn(webkit, [`--port=${port}`, "--host=127.0.0.1"], { stdio: "ignore", env });
+/** Starts WebKit's driver on a screen: how to ask it, and to end it with its browsers. */
+async function startDriver({ display }) {
+  const port = await freePort();
+  const driver = spawn(webkit, [`--port=${port}`, "--host=127.0.0.1"], { stdio: "ignore", env: { ...process.env, DISPLAY: display }, detached: true });
   const ask = async (method, path, body) => {
-    const answer = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body) });
+    const answer = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(2 * TIMEOUT) });
     const { value } = await answer.json();
     if (value?.error) throw new Error(`${value.error}: ${value.message}`);
     return value;
   };
   await until(() => ask("GET", "/status").then(() => true, () => false), "WebKit's driver");
+  return { ask, end: () => process.kill(-driver.pid) };
+}
+
+/** Starts WebKit's driver, and with each page a browser. Its browser needs a screen, which it is given. */
+export async function startWebkit() {
+  const screen = await startScreen();
+  let driver = await startDriver(screen);
+  const ask = (...given) => driver.ask(...given);
+  // Now and then a browser that the driver starts never answers it. Nothing of ours has run by then, so a driver of its own is asked once more.
+  const newSession = async () => {
+    const session = () => ask("POST", "/session", { capabilities: { alwaysMatch: {} } });
+    try {
+      return await session();
+    } catch (problem) {
+      console.log(`WebKit's driver gave no browser and is started again: ${problem.message}`);
+      driver.end();
+      driver = await startDriver(screen);
+      return session();
+    }
+  };
   let version;
   return {
     newPage: async () => {
-      const { sessionId, capabilities } = await ask("POST", "/session", { capabilities: { alwaysMatch: {} } });
+      const { sessionId, capabilities } = await newSession();
       version = `${capabilities.browserName} ${capabilities.browserVersion}`;
       const own = `/session/${sessionId}`;
       await ask("POST", `${own}/timeouts`, { script: TIMEOUT, pageLoad: TIMEOUT });
@@ -117,7 +136,7 @@ export async function startWebkit() {
     },
     version: async () => version,
     close: async () => {
-      driver.kill();
+      driver.end();
       screen.end();
     },
   };

@@ -86,7 +86,8 @@ impl Pixel {
         for (sum, value) in self.radiance.iter_mut().zip(radiance.to_array()) {
             // NaN.max(0.0) is 0.0. The product is exact: scaling by a power of two.
             let value = value.max(0.0).min(MAX_SAMPLE_RADIANCE);
-            *sum = sum.saturating_add((f64::from(value) * RADIANCE_ONE) as u64);
+            // Below 2⁵³: as a signed integer it needs no second way for numbers from 2⁶³ on.
+            *sum = sum.saturating_add((f64::from(value) * RADIANCE_ONE) as i64 as u64);
         }
         self.samples += 1;
         self.covered += u32::from(covered);

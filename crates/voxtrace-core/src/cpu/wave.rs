@@ -13,13 +13,12 @@ use crate::light::many::Asked;
 use crate::light::{self, LightSample, Lights};
 use crate::medium::Surrounding;
 use crate::packed::PackedScene;
-use crate::sampler::Sampler;
 use crate::sampler::many::{Draws, Numbers};
 use crate::shadow_catcher::ShadowCatcher;
 use crate::walk::{self, Instructions};
 use glam::Vec3;
 use std::ops::Range;
-use voxtrace_scene::camera::CameraFrame;
+use voxtrace_scene::camera::{CameraFrame, Projection};
 use voxtrace_scene::ray::{Hit, Ray};
 
 /// Paths that meet their surfaces together, for which lights are then chosen together.
@@ -124,25 +123,33 @@ impl Wave {
         self.slots.clear();
         for (column, row) in in_blocks(tile.region.width(), tile.region.height()) {
             let (x, y) = (tile.region.x0 + column, tile.region.y0 + row);
-            let first = tile.rows[row as usize][column as usize].samples;
-            for sample in first..target {
-                let sampler =
-                    Sampler { seed: frame.seed, pixel: y * frame.width + x, sample: frame.first_sample + sample };
-                self.draws.push(&sampler, DIMENSION_CAMERA);
-                self.samples.push(Sample { row, column, radiance: Vec3::ZERO, covered: false, threshold: None });
-            }
+            let added = tile.rows[row as usize][column as usize].samples..target;
+            let (start, pixel) = (frame.first_sample, y * frame.width + x);
+            self.draws.push_samples(pixel, start + added.start..start + added.end, DIMENSION_CAMERA);
+            let sample = || Sample { row, column, radiance: Vec3::ZERO, covered: false, threshold: None };
+            self.samples.extend(added.map(|_| sample()));
         }
         self.draws.draw(context.numbers(), Instructions::chosen());
-        for (slot, sample) in self.samples.iter().enumerate() {
-            let (x, y) = (tile.region.x0 + sample.column, tile.region.y0 + sample.row);
-            let sampler = self.draws.sampler(slot);
-            let (mut path, ray) = Path::from_camera(context.camera, x, y, sampler, self.draws.get(slot));
-            if context.has_media {
-                path = path.in_medium(context.scene, &ray);
-            }
-            self.slots.push(slot as u32);
-            self.paths.push(path);
-            self.rays.push(clip(frame, ray));
+        self.slots.extend(0..self.samples.len() as u32);
+        // Which kind it is is not asked again for each ray.
+        match context.camera {
+            CameraFrame::Perspective(camera) => self.send(context, tile, camera),
+            camera => self.send(context, tile, camera),
+        }
+    }
+
+    /// Sends the rays of all samples through a camera.
+    #[inline(always)]
+    fn send(&mut self, context: &RenderContext, tile: &Tile, camera: &impl Projection) {
+        let (draws, corner) = (&self.draws, (tile.region.x0, tile.region.y0));
+        let rays = self.samples.iter().enumerate().map(|(slot, sample)| {
+            let (x, y) = (corner.0 + sample.column, corner.1 + sample.row);
+            clip(context.frame, Path::camera_ray(camera, x, y, draws.get(slot)))
+        });
+        self.rays.extend(rays);
+        self.paths.extend((0..self.samples.len()).map(|slot| Path::from_sampler(draws.sampler(slot))));
+        if context.has_media {
+            self.paths.iter_mut().zip(&self.rays).for_each(|(path, ray)| *path = path.in_medium(context.scene, ray));
         }
     }
 

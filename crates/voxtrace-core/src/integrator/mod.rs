@@ -66,12 +66,18 @@ impl Path {
     /// The path that leaves the camera through the place `jitter`, in [0, 1) each, of the pixel (`x`, `y`) of the whole
     /// picture (the first two) and of the lens, and its ray before clipping.
     pub fn from_camera(camera: &CameraFrame, x: u32, y: u32, sampler: Sampler, jitter: [f32; 4]) -> (Self, Ray) {
+        (Self::from_sampler(sampler), Self::camera_ray(camera, x, y, jitter))
+    }
+
+    /// The ray of such a path.
+    #[inline(always)]
+    pub(crate) fn camera_ray(camera: &impl Projection, x: u32, y: u32, jitter: [f32; 4]) -> Ray {
         let [u, v, lens_u, lens_v] = jitter;
-        let ray = camera.ray(Vec2::new(x as f32 + u, y as f32 + v), Vec2::new(lens_u, lens_v));
-        (Self::from_sampler(sampler), ray)
+        camera.ray(Vec2::new(x as f32 + u, y as f32 + v), Vec2::new(lens_u, lens_v))
     }
 
     /// A path that begins in air.
+    #[inline]
     pub fn from_sampler(sampler: Sampler) -> Self {
         let (beta, normal) = (Vec3::ONE, Vec3::ZERO);
         Self {

@@ -4,6 +4,8 @@
 
 use super::Sampler;
 use crate::walk::Instructions;
+use std::iter;
+use std::ops::Range;
 
 /// Which numbers are drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,6 +44,14 @@ impl Draws {
         self.pixels.push(sampler.pixel);
         self.samples.push(sampler.sample);
         self.dimensions.push(dimension);
+    }
+
+    /// Asks for those of some samples of a pixel.
+    pub fn push_samples(&mut self, pixel: u32, samples: Range<u32>, dimension: u32) {
+        let count = samples.len();
+        self.pixels.extend(iter::repeat_n(pixel, count));
+        self.samples.extend(samples);
+        self.dimensions.extend(iter::repeat_n(dimension, count));
     }
 
     /// Draws the numbers that were asked for.

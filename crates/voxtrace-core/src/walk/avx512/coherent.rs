@@ -242,6 +242,26 @@ mod tests {
     }
 
     #[test]
+    fn packets_enter_the_grid_from_outside_along_every_axis() {
+        let origins = [(90.5, 20.25, 20.125), (90.5, 80.25, 70.125), (-30.0, 25.5, 90.0), (-1e4, -2e4, -1.5e4)];
+        for origin in origins.map(Vec3::from) {
+            // Past its edges as well, some as near to them as f32 can say, and some that end before.
+            let target = |i: usize| {
+                Vec3::new((i % 16) as f32 * 7.0 - 20.0, (i / 16) as f32 * 7.0 - 20.0, (i % 7) as f32 * 10.0 - 5.0)
+            };
+            let corner =
+                |i: usize| Vec3::new((i % 2) as f32 * 61.0, (i / 2 % 2) as f32 * 53.0, (i / 4 % 2) as f32 * 47.0);
+            let rays: Vec<Ray> = (0..16 * 40)
+                .map(|i| Ray {
+                    t_max: if i % 5 == 0 { 0.9 + (i % 3) as f32 * 0.1 } else { f32::INFINITY },
+                    ..Ray::new(origin, if i % 3 == 0 { corner(i) } else { target(i % 256) } - origin)
+                })
+                .collect();
+            assert!(packets(&rays).is_none_or(|groups| groups.iter().filter(|&&done| done).count() > 20), "{origin}");
+        }
+    }
+
+    #[test]
     fn rays_that_need_care_are_no_packets() {
         let spoil: [fn(&mut Ray); 5] = [
             |ray| ray.origin.y += 1.0,

@@ -96,9 +96,52 @@ impl Packet {
         for lane in lanes_of(unsure & self.active) {
             self.start_exactly(shared, map, lane, plane);
         }
-        for lane in lanes_of((outside | unsure) & self.active) {
+        unsure |= self.enter_together(shared, outside & self.active & !unsure);
+        for lane in lanes_of(unsure & self.active) {
             self.enter(shared, map, lane);
         }
+    }
+
+    /// Takes lanes that are before the grid to their first voxels inside, as [`Walk::enter`] does. Returns those that f32 is not sure about, which stay
+    /// where they are.
+    #[inline]
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,popcnt,bmi1,bmi2,lzcnt,fma,avx2")]
+    fn enter_together(&mut self, shared: &Shared, lanes: Mask) -> Mask {
+        if lanes == 0 {
+            return 0;
+        }
+        // Before along an axis means a whole half-space is empty; of several axes take the plane crossed last.
+        let mut latest = _mm512_set1_ps(f32::NEG_INFINITY);
+        let mut crossed = [0; 3];
+        for axis in 0..3 {
+            let before =
+                _mm512_mask_cmplt_epi32_mask(lanes, load(&self.at[axis]), _mm512_set1_epi32(shared.start[axis]));
+            let distance = (shared.start[axis] + shared.grid[axis]) as f32 - shared.turned[axis];
+            let t = _mm512_mul_ps(_mm512_set1_ps(distance), loadf(&self.inverse[axis]));
+            let is_later = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(before, t, latest);
+            latest = _mm512_mask_mov_ps(latest, is_later, t);
+            for crossed in &mut crossed {
+                *crossed &= !is_later;
+            }
+            crossed[axis] = is_later;
+        }
+        let arriving = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(lanes, latest, loadf(&self.t_end));
+        self.active &= !lanes | arriving;
+        let (mut at, mut unsure) = ([_mm512_setzero_si512(); 3], 0);
+        for axis in 0..3 {
+            let position = _mm512_fmadd_ps(loadf(&self.speed[axis]), latest, shared.vectors.from_grid[axis]);
+            unsure |= is_near_plane(position, shared.vectors.sure[axis]) & !crossed[axis];
+            let first = _mm512_set1_epi32(shared.start[axis]);
+            at[axis] = _mm512_mask_mov_epi32(floor(position), crossed[axis], first);
+            // Rounding may have taken it for a plane that is crossed before.
+            unsure |= _mm512_cmplt_epi32_mask(at[axis], first);
+        }
+        unsure &= arriving;
+        for axis in 0..3 {
+            let before = load(&self.at[axis]);
+            store(&mut self.at[axis], _mm512_mask_mov_epi32(before, arriving & !unsure, at[axis]));
+        }
+        unsure
     }
 
     /// Where the lanes are.
