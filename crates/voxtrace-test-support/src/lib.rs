@@ -4,9 +4,11 @@
 mod alone;
 mod data;
 mod las;
+mod own_process;
 mod skip;
 
 pub use alone::Alone;
 pub use data::{data, files_below};
 pub use las::las_tile;
+pub use own_process::in_own_process;
 pub use skip::{Need, skip, skip_without};

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Placement, Progress, Region, TraceError, Tracer};
-use voxtrace_test_support::skip;
+use voxtrace_test_support::{in_own_process, skip};
 use voxtrace_tests::gpu::wanted;
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
@@ -83,11 +83,11 @@ fn check_calls(traversal: Traversal, integrator: Integrator) {
 
 #[test]
 fn a_device_that_is_lost_comes_back_with_things_where_they_were_last() {
-    check_calls(Traversal::Walk, Integrator::Path);
+    in_own_process(|| check_calls(Traversal::Walk, Integrator::Path));
 }
 
 #[test]
 fn a_device_with_ray_queries_comes_back_with_things_where_they_were_last() {
     // Lights are put back by the same code; the driver compiles its shaders anew for each fault, and those of paths take three times as long.
-    check_calls(Traversal::Query, Integrator::Essay);
+    in_own_process(|| check_calls(Traversal::Query, Integrator::Essay));
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 use voxtrace::{CpuTracer, Film, Frame, Integrator, PackedScene, Progress, Region, TraceError, Tracer};
-use voxtrace_test_support::{Alone, skip};
+use voxtrace_test_support::{Alone, in_own_process, skip};
 use voxtrace_tests::{gpu, rooms};
 use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
@@ -123,23 +123,21 @@ fn check_call(run: &Run, calls: &[&'static str], call: usize) -> usize {
 
 #[test]
 fn every_error_of_a_run_with_the_compute_walk_is_survived() {
-    check_every_call(Settings::default());
+    in_own_process(|| check_every_call(Settings::default()));
 }
 
 #[test]
 fn every_error_of_a_run_with_a_pipeline_is_survived() {
-    let wanted = match gpu::wanted() {
-        Some(wanted) => wanted,
-        None => return,
-    };
-    let list = devices(Options::default()).unwrap();
-    let info = list.iter().find(|info| info.index.to_string() == *wanted || info.name.contains(&*wanted)).unwrap();
-    if let Some(reason) = missing(info, Traversal::Pipeline) {
-        skip(&format!("{}: {reason}", info.name));
-        return;
-    }
-    let settings = Settings { traversal: Traversal::Pipeline, primitive: Primitive::Brick, is_exact: true };
-    check_every_call(settings);
+    in_own_process(|| {
+        let Some(wanted) = gpu::wanted() else { return };
+        let list = devices(Options::default()).unwrap();
+        let info = list.iter().find(|info| info.index.to_string() == *wanted || info.name.contains(&*wanted)).unwrap();
+        if let Some(reason) = missing(info, Traversal::Pipeline) {
+            skip(&format!("{}: {reason}", info.name));
+            return;
+        }
+        check_every_call(Settings { traversal: Traversal::Pipeline, primitive: Primitive::Brick, is_exact: true });
+    });
 }
 
 #[test]
