@@ -1,5 +1,5 @@
-//! What the tests of all crates share: files that other programs have made ([`data`]), a tile of a scan ([`las_tile`]), and one way for a test to be skipped
-//! ([`skip`]), so that a run can say at its end which ones were.
+//! What the tests of all crates share: files that other programs have made ([`data`]), a tile of a scan ([`las_tile`]), one way for a test to be skipped
+//! ([`skip`]), so that a run can say at its end which ones were, and tests in processes of their own ([`in_own_process`]).
 
 mod alone;
 mod data;
