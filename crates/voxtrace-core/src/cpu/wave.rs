@@ -126,8 +126,8 @@ impl Wave {
             let added = tile.rows[row as usize][column as usize].samples..target;
             let (start, pixel) = (frame.first_sample, y * frame.width + x);
             self.draws.push_samples(pixel, start + added.start..start + added.end, DIMENSION_CAMERA);
-            let sample = || Sample { row, column, radiance: Vec3::ZERO, covered: false, threshold: None };
-            self.samples.extend(added.map(|_| sample()));
+            let samples = added.map(|_| Sample { row, column, radiance: Vec3::ZERO, covered: false, threshold: None });
+            self.samples.extend(samples);
         }
         self.draws.draw(context.numbers(), Instructions::chosen());
         self.slots.extend(0..self.samples.len() as u32);
