@@ -75,6 +75,13 @@ def test_bool_arrays_are_occupancy(random):
     assert (grid.to_numpy("occupancy") == occupied).all() and len(grid.materials) == 1
 
 
+def test_bools_of_any_bytes_are_occupancy(random):
+    mask = random.choice(numpy.array([0, 1, 2, 127, 128, 255], "uint8"), (17, 9, 33))
+    for bytes_of_bools in [mask, mask.T, mask[::-1, ::2, 3:]]:
+        grid = voxtrace.VoxelGrid.from_numpy(bytes_of_bools.view(bool))
+        assert (grid.to_numpy() == (bytes_of_bools != 0)).all() and len(grid) == numpy.count_nonzero(bytes_of_bools)
+
+
 @pytest.mark.parametrize(
     ("array", "palette", "says"),
     [

@@ -143,6 +143,8 @@ def test_other_threads_run_meanwhile(church):
     ("options", "says"),
     [
         ({"size": (0, 5)}, "frame cannot be rendered|region"),
+        ({"size": (60_000, 60_000)}, "render regions"),
+        ({"size": (70_000, 70_000), "region": (0, 0, 8, 8)}, "2³²"),
         ({"samples": 0}, "sample"),
         ({"camera": "nobody"}, "there are: nave"),
         ({"region": (5, 5, 5, 9)}, "region is"),
@@ -152,6 +154,16 @@ def test_other_threads_run_meanwhile(church):
 def test_what_cannot_be_rendered_is_said(church, options, says):
     with pytest.raises(ValueError, match=says):
         voxtrace.render(church, device="cpu", **{"size": (16, 9), "samples": 1, **options})
+
+
+def test_parts_of_a_picture_that_is_too_large_are_rendered(church):
+    renderer = voxtrace.Renderer(church, device="cpu")
+    part = renderer.render(samples=1, size=(60_000, 60_000), region=(30_000, 20_000, 30_008, 20_004))
+    assert part.shape == (4, 8)
+    film = voxtrace.Image.from_bytes(part.to_bytes())
+    with pytest.raises(ValueError, match="render regions"):
+        renderer.render_like(film, samples=1, region=(0, 0, 60_000, 60_000))
+    assert renderer.render_like(film, samples=1, first_sample=1).shape == (4, 8)
 
 
 def test_devices_that_are_not_there_are_said(church):

@@ -1,4 +1,8 @@
-"""Rays, moving and editing, files that cannot be read."""
+"""Rays, moving and editing, threads that share scenes, files that cannot be read."""
+
+import os
+import threading
+from collections.abc import Callable
 
 import numpy
 import pytest
@@ -72,9 +76,8 @@ def test_edits_are_followed_and_undone(random):
     assert editor.set([[0, 0, 20], [1, 0, 20]], glow) == 2 and editor.get((1, 0, 20)) == glow
     renderer.follow(editor)
     assert renderer.cast([[0.5, 0.5, 40]], [[0, 0, -1]])["material"][0] == glow
-    assert editor.undo() and editor.undo()
+    assert editor.undo() and editor.get((0, 0, 20)) is editor.get((1, 0, 20)) is None
     renderer.follow(editor)
-    assert editor.get((0, 0, 20)) is None
     assert renderer.cast([[0.5, 0.5, 40]], [[0, 0, -1]])["t"][0] > 20
     assert editor.redo() and editor.get((0, 0, 20)) == glow
     assert editor.sphere((8, 8, 8), 2, 1) >= 0 and editor.get((8, 8, 8)) == 1
@@ -88,6 +91,194 @@ def test_edits_are_followed_and_undone(random):
     other.fill((0, 0, 0), (2, 2, 2), 0)
     with pytest.raises(ValueError, match="anew"):
         renderer.follow(other)
+
+
+def labelled(labels: numpy.ndarray) -> voxtrace.Editor:
+    return voxtrace.Editor(voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(labels)))
+
+
+def test_voxels_of_one_call_are_one_step(random):
+    labels = random.integers(0, 3, (16, 16, 16)).astype("uint8")
+    editor = labelled(labels)
+    occupancy = lambda: editor.scene().grid(0).to_numpy("occupancy")
+    voxels = random.integers(0, 16, (300, 3))
+    assert editor.fill((0, 0, 0), (4, 4, 4), 1) == numpy.count_nonzero(labels[:4, :4, :4] == 0)
+    filled = occupancy()
+    cut = filled.copy()
+    cut[tuple(voxels.T)] = False
+    assert editor.set(voxels, None) == numpy.count_nonzero(cut) - numpy.count_nonzero(filled)
+    assert (occupancy() == cut).all()
+    assert editor.undo() and (occupancy() == filled).all()
+    assert editor.redo() and (occupancy() == cut).all()
+    assert editor.undo() and editor.undo() and not editor.undo()
+    assert (occupancy() == (labels != 0)).all()
+    # Voxels that are so already begin no step, and join none.
+    editor.fill((0, 0, 0), (2, 2, 2), 1)
+    assert editor.set([[0, 0, 0], [1, 1, 1], [0, 0, 17], [0, 0, 18]], 1) == 2
+    assert editor.undo() and editor.get((0, 0, 17)) is editor.get((0, 0, 18)) is None and editor.get((0, 0, 0)) == 1
+    assert editor.set(numpy.empty((0, 3), int), 1) == editor.set([[2**31 - 1, 0, 0], [-(2**31), 0, 0]], None) == 0
+
+
+@pytest.mark.parametrize(
+    ("last", "material", "grid", "says"),
+    [
+        ((524_289, 0, 0), 0, 0, "524289"),
+        ((0, -524_289, 0), 0, 0, "524289"),
+        ((2**31 - 1, 0, 0), 0, 0, "2147483647"),
+        ((3, 3, 3), 5, 0, "no material 5"),
+        ((3, 3, 3), 0, 1, "no grid 1"),
+    ],
+)
+def test_voxels_that_cannot_be_set_leave_the_others(last, material, grid, says):
+    editor = labelled(numpy.ones((4, 4, 4), "uint8"))
+    editor.fill((0, 0, 4), (4, 4, 5), 0)
+    with pytest.raises(voxtrace.VoxtraceError, match=says):
+        editor.set([[0, 0, 9], [0, 0, 10], last], material, grid=grid)
+    assert editor.get((0, 0, 9)) is editor.get((0, 0, 10)) is None and editor.voxels == 80
+    assert editor.undo() and editor.voxels == 64 and not editor.undo(), "no step was begun"
+    assert editor.redo() and editor.voxels == 80
+
+
+def down(renderer: voxtrace.Renderer) -> float:
+    """How far the first voxel is below a place above voxel (0, 0)."""
+    return renderer.cast([[0.5, 0.5, 40]], [[0, 0, -1]])["t"][0]
+
+
+def test_renderers_that_cannot_follow_lose_no_edits():
+    labels = numpy.ones((4, 4, 4), "uint8")
+    editor, other = labelled(labels), labelled(labels)
+    renderer = voxtrace.Renderer(editor, device="cpu")
+    wrong = [voxtrace.Renderer(other, device="cpu"), voxtrace.Renderer(editor.scene(), device="cpu")]
+    editor.set([[0, 0, 9]], 0)
+    for stranger in wrong:
+        with pytest.raises(ValueError, match="anew"):
+            stranger.follow(editor)
+        assert down(stranger) == 36
+    for arguments in [{"device": "no such card"}, {"device": "cpu", "traversal": "walk"}, {"traversal": "rays"}]:
+        with pytest.raises((ValueError, voxtrace.DeviceError)):
+            voxtrace.Renderer(editor, **arguments)
+        editor.set([[0, 0, editor.voxels - 55]], 0)
+    assert down(renderer) == 36
+    renderer.follow(editor)
+    assert down(renderer) == 40 - 13
+    other.set([[0, 0, 20]], 0)
+    wrong[0].follow(other)
+    assert down(wrong[0]) == 19
+    # The last renderer of an editor is the one that follows.
+    last = voxtrace.Renderer(editor, device="cpu")
+    editor.set([[0, 0, 30]], 0)
+    with pytest.raises(ValueError, match="another one follows"):
+        renderer.follow(editor)
+    last.follow(editor)
+    assert (down(renderer), down(last)) == (27, 9)
+
+
+def test_a_device_that_cannot_follow_catches_up(random):
+    editor = labelled(numpy.ones((40, 40, 40), "uint8"))
+    try:
+        renderer = voxtrace.Renderer(editor, device="0", memory=1 << 20)
+    except voxtrace.DeviceError:
+        if os.environ.get("VOXTRACE_REQUIRE_VULKAN"):
+            raise
+        pytest.skip("no Vulkan device")
+    options = {"samples": 1, "size": (24, 16), "denoise": False, "camera": voxtrace.Camera((700, 500, 600), (0, 0, 0))}
+    for _ in range(2):
+        editor.set(random.integers(-300, 300, (8_000, 3)), 0)
+        with pytest.raises(voxtrace.DeviceError, match="out of memory"):
+            renderer.follow(editor)
+        fresh = voxtrace.Renderer(editor.scene(), device="cpu").render(**options)
+        assert (renderer.render(**options).sums == fresh.sums).all() and fresh.alpha.max() > 0
+    assert down(renderer) == 0
+    editor.set([[0, 0, 39]], None)
+    with pytest.raises(voxtrace.DeviceError, match="out of memory"):
+        renderer.follow(editor)
+    assert down(renderer) == 1
+
+
+def at_once(*tasks: Callable[[], object]) -> list[object]:
+    """What tasks return that threads begin at the same time; what one raises is raised."""
+    begin, results = threading.Barrier(len(tasks)), [None] * len(tasks)
+
+    def work(index: int) -> None:
+        begin.wait()
+        try:
+            results[index] = tasks[index]()
+        except BaseException as error:
+            results[index] = error
+
+    threads = [threading.Thread(target=work, args=[index]) for index in range(len(tasks))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for result in results:
+        if isinstance(result, BaseException):
+            raise result
+    return results
+
+
+def test_threads_share_a_scene(random):
+    labels = (random.random((160, 160, 160)) > 0.5).astype("uint8")
+    scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(labels))
+    image = voxtrace.render(scene, samples=2, size=(16, 9), device="cpu", denoise=False)
+    scene.sky = scene.sky
+    picture = lambda: voxtrace.Renderer(scene, device="cpu").render(samples=2, size=(16, 9), denoise=False).to_bytes()
+    results = at_once(
+        picture,
+        picture,
+        lambda: voxtrace.Editor(scene).voxels,
+        lambda: voxtrace.Renderer(scene, device="cpu", placeable=True).cast([[0, 0, 500]], [[0, 0, -1]])["hit"].shape,
+        lambda: scene.info()["voxels"],
+        lambda: scene.bounds,
+        lambda: image.denoise(scene).shape,
+    )
+    voxels = numpy.count_nonzero(labels)
+    assert results == [image.to_bytes()] * 2 + [voxels, (1,), voxels, ([0] * 3, [160] * 3), (9, 16)]
+
+
+def test_threads_share_an_editor():
+    editor = labelled(numpy.ones((1, 1, 1), "uint8"))
+    renderer = voxtrace.Renderer(editor, device="cpu")
+    x, y = (places.ravel() for places in numpy.mgrid[0:30, 0:30])
+    layer = lambda z: numpy.stack([x, y, numpy.full(x.shape, z)], axis=1)
+    going = threading.Event()
+
+    def draw(first: int) -> int:
+        try:
+            return sum(editor.set(layer(z), 0) for z in range(first, first + 5))
+        finally:
+            going.set()
+
+    def follow() -> float:
+        while not going.is_set():
+            renderer.follow(editor)
+            assert editor.voxels > 0 and editor.get((0, 0, 0)) == 0 and "Editor" in repr(editor)
+        return editor.scene().info()["voxels"]
+
+    results = at_once(lambda: draw(10), lambda: draw(20), lambda: draw(30), follow)
+    assert results[:3] == [4500] * 3 and editor.voxels == 13_501
+    renderer.follow(editor)
+    assert down(renderer) == 5
+    assert sum(editor.undo() for _ in range(16)) == 15 and editor.voxels == 1
+
+
+def test_other_threads_run_while_voxels_are_set(random):
+    editor = labelled(numpy.ones((4, 4, 4), "uint8"))
+    count, ended = 0, threading.Event()
+
+    def counts() -> None:
+        nonlocal count
+        while not ended.wait(0.001):
+            count += 1
+
+    thread = threading.Thread(target=counts)
+    thread.start()
+    before, voxels = count, random.integers(0, 64, (200_000, 3))
+    editor.set(voxels, 0)
+    meanwhile = count - before
+    ended.set()
+    thread.join()
+    assert meanwhile > 20
 
 
 def test_files_that_cannot_be_read_say_where(tmp_path):

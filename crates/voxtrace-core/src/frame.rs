@@ -9,6 +9,9 @@ pub use crate::region::Region;
 use crate::trace_error::TraceError;
 use voxtrace_scene::camera::Camera;
 
+/// Most pixels of the region of a frame, and so of a film: 16,384², 8 GiB of sums.
+pub const MAX_PIXELS: u64 = 1 << 28;
+
 /// What to render: view, size, samples and how light is computed. [`Frame::new`] makes one, its methods change it:
 ///
 /// ```
@@ -193,7 +196,7 @@ impl Frame {
     /// Checks that the frame can be rendered.
     ///
     /// # Errors
-    /// [`TraceError::BadFrame`] for an empty region, numbers that overflow or a camera that is not finite.
+    /// [`TraceError::BadFrame`] for an empty region or one of more than [`MAX_PIXELS`], numbers that overflow or a camera that is not finite.
     pub fn check(&self) -> Result<(), TraceError> {
         let bad = |reason: &str| Err(TraceError::BadFrame(reason.into()));
         let region = self.region;
@@ -205,6 +208,9 @@ impl Frame {
         }
         if self.width.checked_mul(self.height).is_none() {
             return bad("the picture has more than 2³² pixels");
+        }
+        if region.pixels() as u64 > MAX_PIXELS {
+            return bad("more than 2²⁸ pixels are to be rendered at once; render regions of the picture");
         }
         if self.first_sample.checked_add(self.samples).is_none() {
             return bad("sample numbers exceed 2³²");
@@ -282,5 +288,23 @@ impl Integrator {
             Self::Essay => "essay",
             Self::Path => "path",
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn regions_have_a_limit_that_pictures_may_exceed() {
+        let frame = Frame::new(Camera::look_at(Vec3::X, Vec3::ZERO), 60_000, 60_000);
+        let says = |frame: &Frame, what: &str| frame.check().is_err_and(|error| error.to_string().contains(what));
+        assert!(says(&frame, "2²⁸"));
+        let square = Region { x0: 43_616, y0: 43_616, x1: 60_000, y1: 60_000 };
+        assert_eq!(frame.clone().region(square).check(), Ok(()));
+        assert!(says(&frame.clone().region(Region { x0: 43_615, ..square }), "2²⁸"));
+        assert_eq!(frame.clone().size(16_384, 16_384).check(), Ok(()));
+        assert!(says(&frame.size(65_536, 65_536).region(square), "2³²"));
     }
 }

@@ -6,36 +6,126 @@ use crate::material::PyMaterial;
 use crate::scene::PyScene;
 use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::prelude::*;
-use std::sync::Arc;
+use pyo3::sync::MutexExt;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 use voxtrace::glam::{DVec3, IVec3};
-use voxtrace::grid::VoxelBox;
-use voxtrace::{DynamicScene, Edit, Patch, Shape};
+use voxtrace::grid::{MAX_COORDINATE, VoxelBox};
+use voxtrace::{DynamicScene, Edit, EditError, PackedScene, Patch, Shape};
 
-/// Changes voxels of a scene, with undo. A `Renderer` made of it follows by `Renderer.follow`, in a fraction of a millisecond for small edits.
+/// Bytes that undo and redo keep.
+const UNDO_BYTES: u64 = 256 << 20;
+
+/// Changes voxels of a scene, with undo. A `Renderer` made of it follows by `Renderer.follow`, in a fraction of a millisecond for small edits. Threads may share
+/// it: they edit one after the other, and other threads of Python run meanwhile.
+///
+/// Edits raise `VoxtraceError`, with nothing changed, for a grid or a material that is not there and for voxels beyond ±524,288 that would be filled, and
+/// `ValueError` for numbers that cannot be.
 ///
 /// >>> import numpy, voxtrace
 /// >>> scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(numpy.ones((8, 8, 8), numpy.uint8)))
 /// >>> editor = voxtrace.Editor(scene)
 /// >>> editor.sphere((4, 4, 8), 3, None) < 0, editor.undo(), editor.voxels
 /// (True, True, 512)
-#[pyclass(name = "Editor", module = "voxtrace")]
+#[pyclass(name = "Editor", module = "voxtrace", frozen)]
 pub struct PyEditor {
-    scene: DynamicScene,
+    edited: Mutex<Edited>,
 }
 
-impl PyEditor {
-    pub fn take_patch(&mut self) -> Patch {
-        self.scene.take_patch()
+/// The scene of an editor, and how far it was followed.
+struct Edited {
+    scene: DynamicScene,
+    /// What the renderer that follows lacks, as far as it was taken from the scene.
+    patches: Vec<Patch>,
+    /// How many patches were taken.
+    taken: u64,
+    /// Of the renderer that follows.
+    follower: Weak<Follower>,
+}
+
+/// Tells the renderer that follows an editor from others: the one that was made last.
+pub struct Follower;
+
+impl Edited {
+    /// Takes what changed.
+    fn take(&mut self) {
+        let patch = self.scene.take_patch();
+        if !patch.is_empty() {
+            self.taken += 1;
+            if self.follower.strong_count() > 0 {
+                self.patches.push(patch);
+            }
+        }
     }
 
-    /// The scene for a tracer that follows from now on.
-    pub fn begin_anew(&mut self) -> Arc<voxtrace::PackedScene> {
-        self.scene.take_patch();
+    /// The scene as it was when a patch was taken last.
+    fn packed(&self) -> Arc<PackedScene> {
         Arc::new(self.scene.scene().clone())
     }
 
-    fn edit(&mut self, py: Python<'_>, grid: u32, edit: &Edit) -> PyResult<i64> {
-        self.scene.edit(grid, edit).map(|edited| edited.voxels).map_err(|error| other(py, error))
+    /// All voxels become a material, in one step of undo, or none does.
+    fn set(&mut self, grid: u32, voxels: &[IVec3], material: Option<u16>) -> Result<i64, EditError> {
+        let (mut change, mut is_begun) = (0, false);
+        for &min in voxels {
+            let max = min.saturating_add(IVec3::ONE);
+            let edit = Edit::Fill { shape: Shape::Box(VoxelBox { min, max }), material };
+            let edited = if is_begun { self.scene.edit_on(grid, &edit) } else { self.scene.edit(grid, &edit) };
+            match edited {
+                Ok(edited) => {
+                    change += edited.voxels;
+                    is_begun |= edited.bricks > 0;
+                }
+                Err(error) => {
+                    if is_begun {
+                        self.scene.undo()?;
+                    }
+                    return Err(error);
+                }
+            }
+        }
+        Ok(change)
+    }
+}
+
+impl PyEditor {
+    /// Works with the scene once no other thread does, without the interpreter's lock.
+    fn with<T: Send>(&self, py: Python<'_>, work: impl FnOnce(&mut Edited) -> T + Send) -> T {
+        py.detach(|| work(&mut self.edited.lock().unwrap_or_else(PoisonError::into_inner)))
+    }
+
+    fn edit(&self, py: Python<'_>, grid: u32, edit: &Edit) -> PyResult<i64> {
+        let edited = self.with(py, |edited| edited.scene.edit(grid, edit));
+        edited.map(|edited| edited.voxels).map_err(|error| other(py, error))
+    }
+
+    /// The scene for a renderer that is to follow, and how many patches were taken by then. Who follows now still does.
+    pub fn begin(&self, py: Python<'_>) -> (Arc<PackedScene>, u64) {
+        self.with(py, |edited| {
+            edited.take();
+            (edited.packed(), edited.taken)
+        })
+    }
+
+    /// From now on the renderer follows that began when so many patches were taken. Returns the scene where it was changed since.
+    pub fn lead(&self, py: Python<'_>, follower: &Arc<Follower>, taken: u64) -> Option<Arc<PackedScene>> {
+        self.with(py, |edited| {
+            edited.take();
+            edited.patches.clear();
+            edited.follower = Arc::downgrade(follower);
+            (edited.taken != taken).then(|| edited.packed())
+        })
+    }
+
+    /// Brings the scene of a renderer up to date. Returns the patches that it lacked, `None`, with nothing changed, where it is not the one that follows.
+    pub fn follow(&self, py: Python<'_>, follower: &Arc<Follower>, scene: &mut Arc<PackedScene>) -> Option<Vec<Patch>> {
+        self.with(py, |edited| {
+            if !edited.follower.ptr_eq(&Arc::downgrade(follower)) {
+                return None;
+            }
+            edited.take();
+            let scene = Arc::make_mut(scene);
+            edited.patches.iter().try_for_each(|patch| scene.apply_patch(patch)).ok()?;
+            Some(std::mem::take(&mut edited.patches))
+        })
     }
 }
 
@@ -45,29 +135,24 @@ impl PyEditor {
     ///
     /// Raises `VoxtraceError` where the scene has smooth normals.
     #[new]
-    fn new(py: Python<'_>, scene: &mut PyScene) -> PyResult<Self> {
+    fn new(py: Python<'_>, scene: &PyScene) -> PyResult<Self> {
         let packed = scene.packed(py, true)?;
-        let scene = py.detach(|| DynamicScene::new((*packed).clone())).map_err(|error| other(py, error))?;
-        Ok(Self { scene })
+        let scene = py.detach(|| DynamicScene::new((*packed).clone()));
+        let mut scene = scene.map_err(|error| other(py, error))?;
+        scene.set_undo_limit(UNDO_BYTES);
+        Ok(Self { edited: Mutex::new(Edited { scene, patches: Vec::new(), taken: 0, follower: Weak::new() }) })
     }
 
     /// All voxels from corner `low` up to, but not including, `high` become a material, `None` for empty. Returns how many voxels there are more.
     #[pyo3(signature = (low, high, material, *, grid=0))]
-    fn fill(&mut self, py: Python<'_>, low: Three, high: Three, material: Option<u16>, grid: u32) -> PyResult<i64> {
+    fn fill(&self, py: Python<'_>, low: Three, high: Three, material: Option<u16>, grid: u32) -> PyResult<i64> {
         let shape = Shape::Box(box_of(low, high)?);
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
 
     /// All voxels whose middle is at most `radius` from `center` become a material, `None` for empty. Returns how many voxels there are more.
     #[pyo3(signature = (center, radius, material, *, grid=0))]
-    fn sphere(
-        &mut self,
-        py: Python<'_>,
-        center: Three,
-        radius: f64,
-        material: Option<u16>,
-        grid: u32,
-    ) -> PyResult<i64> {
+    fn sphere(&self, py: Python<'_>, center: Three, radius: f64, material: Option<u16>, grid: u32) -> PyResult<i64> {
         let shape = Shape::Sphere { center: center.0, radius: positive(radius)? };
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
@@ -75,7 +160,7 @@ impl PyEditor {
     /// As `sphere`, along the line between two points.
     #[pyo3(signature = (start, end, radius, material, *, grid=0))]
     fn stroke(
-        &mut self,
+        &self,
         py: Python<'_>,
         start: Three,
         end: Three,
@@ -89,21 +174,22 @@ impl PyEditor {
 
     /// The voxels of a ball that are there become another material. Returns 0.
     #[pyo3(signature = (center, radius, material, *, grid=0))]
-    fn paint(&mut self, py: Python<'_>, center: Three, radius: f64, material: u16, grid: u32) -> PyResult<i64> {
+    fn paint(&self, py: Python<'_>, center: Three, radius: f64, material: u16, grid: u32) -> PyResult<i64> {
         let shape = Shape::Sphere { center: center.0, radius: positive(radius)? };
         self.edit(py, grid, &Edit::Paint { shape, material })
     }
 
     /// The voxels of one material become another, or empty. Returns how many voxels there are more.
     #[pyo3(signature = (old, new, *, grid=0))]
-    fn replace(&mut self, py: Python<'_>, old: u16, new: Option<u16>, grid: u32) -> PyResult<i64> {
+    fn replace(&self, py: Python<'_>, old: u16, new: Option<u16>, grid: u32) -> PyResult<i64> {
         self.edit(py, grid, &Edit::Replace { within: None, from: old, to: new })
     }
 
-    /// Voxels, shape `(N, 3)`, become a material, `None` for empty. Returns how many voxels there are more.
+    /// Voxels, shape `(N, 3)`, become a material, `None` for empty: all of them, in one step of undo, or none where it raises. Returns how many voxels there
+    /// are more.
     #[pyo3(signature = (voxels, material, *, grid=0))]
     fn set(
-        &mut self,
+        &self,
         py: Python<'_>,
         voxels: PyArrayLike2<'_, i32, AllowTypeChange>,
         material: Option<u16>,
@@ -113,49 +199,61 @@ impl PyEditor {
         if voxels.ncols() != 3 {
             return Err(argument("voxels have shape (N, 3)"));
         }
-        let mut change = 0;
-        for voxel in voxels.outer_iter() {
-            let min = IVec3::new(voxel[0], voxel[1], voxel[2]);
-            let max = min.checked_add(IVec3::ONE).ok_or_else(|| argument("a voxel out of range"))?;
-            change += self.edit(py, grid, &Edit::Fill { shape: Shape::Box(VoxelBox { min, max }), material })?;
+        let voxels = voxels.outer_iter().map(|voxel| IVec3::new(voxel[0], voxel[1], voxel[2]));
+        let voxels: Vec<IVec3> = voxels.collect();
+        let limit = IVec3::splat(MAX_COORDINATE);
+        let is_outside = |voxel: &&IVec3| voxel.cmplt(-limit).any() || voxel.cmpgt(limit).any();
+        if let Some(&voxel) = voxels.iter().find(is_outside).filter(|_| material.is_some()) {
+            return Err(other(py, EditError::OutOfRange(voxel)));
         }
-        Ok(change)
+        self.with(py, |edited| {
+            // What is joined piece by piece is forgotten as a whole or not at all.
+            edited.scene.set_undo_limit(u64::MAX);
+            let change = edited.set(grid, &voxels, material);
+            edited.scene.set_undo_limit(UNDO_BYTES);
+            change
+        })
+        .map_err(|error| other(py, error))
     }
 
     /// Adds a material. Returns its index.
-    fn add_material(&mut self, py: Python<'_>, material: PyMaterial) -> PyResult<u16> {
-        self.scene.add_material(&material.0).map_err(|error| other(py, error))
+    fn add_material(&self, py: Python<'_>, material: PyMaterial) -> PyResult<u16> {
+        self.with(py, |edited| edited.scene.add_material(&material.0)).map_err(|error| other(py, error))
     }
 
     /// Index of the material of a voxel, `None` where it is empty.
     #[pyo3(signature = (voxel, *, grid=0))]
-    fn get(&self, voxel: Three, grid: u32) -> Option<u16> {
-        self.scene.voxel(grid, voxel.0.floor().as_ivec3())
+    fn get(&self, py: Python<'_>, voxel: Three, grid: u32) -> Option<u16> {
+        let edited = self.edited.lock_py_attached(py).unwrap_or_else(PoisonError::into_inner);
+        edited.scene.voxel(grid, voxel.0.floor().as_ivec3())
     }
 
     /// Takes the last edit back. Returns whether there was one.
-    fn undo(&mut self, py: Python<'_>) -> PyResult<bool> {
-        self.scene.undo().map(|edited| edited.is_some()).map_err(|error| other(py, error))
+    fn undo(&self, py: Python<'_>) -> PyResult<bool> {
+        let undone = self.with(py, |edited| edited.scene.undo());
+        undone.map(|edited| edited.is_some()).map_err(|error| other(py, error))
     }
 
     /// Does again what was undone last. Returns whether there was something.
-    fn redo(&mut self, py: Python<'_>) -> PyResult<bool> {
-        self.scene.redo().map(|edited| edited.is_some()).map_err(|error| other(py, error))
+    fn redo(&self, py: Python<'_>) -> PyResult<bool> {
+        let redone = self.with(py, |edited| edited.scene.redo());
+        redone.map(|edited| edited.is_some()).map_err(|error| other(py, error))
     }
 
     /// Voxels stored, each grid once.
     #[getter]
-    fn voxels(&self) -> u64 {
-        self.scene.scene().statistics().voxels
+    fn voxels(&self, py: Python<'_>) -> u64 {
+        self.with(py, |edited| edited.scene.scene().statistics().voxels)
     }
 
     /// The scene as it is now.
     fn scene(&self, py: Python<'_>) -> PyScene {
-        PyScene::of_packed(Arc::new(py.detach(|| self.scene.compact())))
+        PyScene::of_packed(Arc::new(self.with(py, |edited| edited.scene.compact())))
     }
 
-    fn __repr__(&self) -> String {
-        format!("<Editor of {:?}: {} voxels>", self.scene.scene().name, self.voxels())
+    fn __repr__(&self, py: Python<'_>) -> String {
+        let name = self.with(py, |edited| edited.scene.scene().name.clone());
+        format!("<Editor of {name:?}: {} voxels>", self.voxels(py))
     }
 }
 

@@ -234,6 +234,14 @@ fn readonly<'py, T: Element>(array: &Bound<'py, PyAny>) -> Option<PyReadonlyArra
     array.try_readonly().ok()
 }
 
+/// The bytes of an array of bools, as they lie; `None` where it is another array. Any byte but 0 is true: `view(bool)` leaves what was there.
+fn bytes_of_bools<'py>(array: &Bound<'py, PyAny>) -> PyResult<Option<PyReadonlyArrayDyn<'py, u8>>> {
+    if array.cast::<PyArrayDyn<bool>>().is_err() {
+        return Ok(None);
+    }
+    Ok(readonly(&array.call_method1("view", (dtype::<u8>(array.py()),))?))
+}
+
 /// Materials of a list of `Material` or of an array of colours.
 pub fn materials_of(palette: &Bound<'_, PyAny>) -> PyResult<Vec<Material>> {
     let is_bytes =
@@ -263,9 +271,9 @@ fn labels(
     extent: VoxelBox,
     palette: Option<Vec<Material>>,
 ) -> PyResult<(VoxelGrid, Vec<Material>)> {
-    if let Some(occupied) = readonly::<bool>(array) {
+    if let Some(occupied) = bytes_of_bools(array)? {
         let view = occupied.as_array();
-        let grid = py.detach(|| of_labels(&view, extent, |&is_occupied| Some(u16::from(is_occupied))));
+        let grid = py.detach(|| of_labels(&view, extent, |&byte| Some(u16::from(byte != 0))));
         let material = palette.and_then(|palette| palette.first().copied()).unwrap_or_default();
         return Ok((grid?.0, vec![material]));
     }

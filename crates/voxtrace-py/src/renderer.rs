@@ -2,7 +2,7 @@
 
 use crate::arguments::transform_of;
 use crate::camera::PyCamera;
-use crate::editor::PyEditor;
+use crate::editor::{Follower, PyEditor};
 use crate::errors::{argument, of_tracing, other};
 use crate::found::Found;
 use crate::image::PyImage;
@@ -30,6 +30,10 @@ pub struct PyRenderer {
     /// Never locked: what uses it has the renderer for itself.
     tracer: Mutex<Box<dyn Tracer + Send>>,
     scene: Arc<PackedScene>,
+    /// Whether the tracer may have another scene, as it does where it failed to follow.
+    is_stale: bool,
+    /// By which an editor knows it.
+    follower: Arc<Follower>,
     is_placeable: bool,
     /// What traces, and why that.
     #[pyo3(get)]
@@ -38,7 +42,7 @@ pub struct PyRenderer {
 
 #[pymethods]
 impl PyRenderer {
-    /// A renderer of a `Scene`, or of what an `Editor` edits.
+    /// A renderer of a `Scene`, or of what an `Editor` edits. Of several of an editor the last one follows its edits.
     ///
     /// `device`: `"auto"` (a GPU, or the processor where there is none), `"cpu"`, the number or a part of the name of a device as `voxtrace devices`
     /// lists them, `"all"` (every GPU; they share the work, and the picture is the same), or numbers of several (`"0,1"`). `traversal`: `"walk"`, `"query"` or `"pipeline"`. `fast`: GPUs may round as they like; pictures are no longer the processor's bit for bit.
@@ -59,25 +63,37 @@ impl PyRenderer {
         placeable: bool,
         film: Option<PyRef<'_, PyImage>>,
     ) -> PyResult<Self> {
-        let packed = match scene.cast::<PyEditor>() {
-            Ok(editor) => editor.borrow_mut().begin_anew(),
-            Err(_) => scene.cast::<PyScene>()?.borrow_mut().packed(py, placeable)?,
-        };
-        let packed = match film {
+        let request = request_of(device, traversal, fast, memory)?;
+        let lit = |packed: Arc<PackedScene>| match &film {
             Some(image) => lit_as(&packed, &image.picture.film_file().scene),
             None => packed,
         };
-        let request = request_of(device, traversal, fast, memory)?;
+        let editor = scene.cast::<PyEditor>().ok().map(Bound::get);
+        let (packed, taken) = match editor {
+            Some(editor) => editor.begin(py),
+            None => (scene.cast::<PyScene>()?.try_borrow()?.packed(py, placeable)?, 0),
+        };
+        let packed = lit(packed);
         let opened = run(py, || (), |_| Ok(()), || choose_for(&request, &packed))?;
         let Choice { tracer, reason, .. } = opened.map_err(|error| of_tracing(py, &error))?;
-        Ok(Self { tracer: Mutex::new(tracer), scene: packed, is_placeable: placeable, device: reason })
+        let follower = Arc::new(Follower);
+        let changed = editor.and_then(|editor| editor.lead(py, &follower, taken)).map(lit);
+        Ok(Self {
+            tracer: Mutex::new(tracer),
+            is_stale: changed.is_some(),
+            scene: changed.unwrap_or(packed),
+            follower,
+            is_placeable: placeable,
+            device: reason,
+        })
     }
 
     /// Renders a picture.
     ///
     /// `camera`: a `Camera`, the name of one of the scene's, or `None` for its first, or one that sees everything. `samples`: of each pixel. `size`: width and
-    /// height, pixels. The same `seed` gives the same picture, bit for bit, on every device. `first_sample`: to be added to films with the samples before.
-    /// `region`: `(x0, y0, x1, y1)`, pixels, the part that is rendered. `denoise`: noise is removed. `transparent`: the sky stays away. `aovs`: see `Image.aov`.
+    /// height, pixels; at most 2²⁸ pixels are rendered at once, and `region` renders a part of what has more. The same `seed` gives the same picture, bit for
+    /// bit, on every device. `first_sample`: to be added to films with the samples before. `region`: `(x0, y0, x1, y1)`, pixels, the part that is rendered.
+    /// `denoise`: noise is removed. `transparent`: the sky stays away. `aovs`: see `Image.aov`.
     /// `progress`: called with the share that is done, again and again.
     ///
     /// Raises `ValueError` for what cannot be rendered, `DeviceError` where the device fails; Ctrl-C ends it.
@@ -184,6 +200,7 @@ impl PyRenderer {
             }
             ray
         };
+        self.give_scene(py)?;
         let (tracer, scene) = (exclusive(&mut self.tracer), &self.scene);
         let wanted = AtomicBool::new(true);
         let stop = || wanted.store(false, Ordering::Relaxed);
@@ -210,23 +227,29 @@ impl PyRenderer {
         let placed = instances.iter().enumerate().map(placed).collect::<PyResult<Vec<_>>>()?;
         let placement: Placement = self.scene.placement().moved(self.scene.geometry(), placed).map_err(argument)?;
         let moved = Arc::new(self.scene.with_placement(&placement).map_err(argument)?);
+        self.give_scene(py)?;
         let tracer = exclusive(&mut self.tracer);
+        self.is_stale = true;
         py.detach(|| tracer.set_placement(&placement)).map_err(|error| of_tracing(py, &error))?;
-        self.scene = moved;
+        (self.scene, self.is_stale) = (moved, false);
         Ok(())
     }
 
     /// Follows the edits of the `Editor` that this renderer was made of, since the last time.
     ///
-    /// Raises `ValueError` where it was made of something else.
-    fn follow(&mut self, py: Python<'_>, editor: &mut PyEditor) -> PyResult<()> {
-        let patch = editor.take_patch();
-        let followed = Arc::make_mut(&mut self.scene).apply_patch(&patch);
-        followed.map_err(|_| {
+    /// Raises `ValueError` where it was made of something else, or another one was made of the editor since; nothing has changed then. Raises `DeviceError` where
+    /// the device fails; the edits are followed all the same, and the device gets the whole scene when it is next needed.
+    fn follow(&mut self, py: Python<'_>, editor: &PyEditor) -> PyResult<()> {
+        let patches = editor.follow(py, &self.follower, &mut self.scene).ok_or_else(|| {
             argument("the renderer was not made of this editor, or another one follows it: make it anew")
         })?;
-        let tracer = exclusive(&mut self.tracer);
-        py.detach(|| tracer.patch(&patch)).map_err(|error| of_tracing(py, &error))
+        if !std::mem::replace(&mut self.is_stale, true) {
+            let tracer = exclusive(&mut self.tracer);
+            let followed = py.detach(|| patches.iter().try_for_each(|patch| tracer.patch(patch)));
+            followed.map_err(|error| of_tracing(py, &error))?;
+            self.is_stale = false;
+        }
+        self.give_scene(py)
     }
 
     /// The camera that looks when none is given.
@@ -250,6 +273,17 @@ where
 }
 
 impl PyRenderer {
+    /// Gives the tracer the scene where it may have another one.
+    fn give_scene(&mut self, py: Python<'_>) -> PyResult<()> {
+        if self.is_stale {
+            let (tracer, scene) = (exclusive(&mut self.tracer), &self.scene);
+            let given = run(py, || (), |_| Ok(()), || tracer.set_scene(scene))?;
+            given.map_err(|error| of_tracing(py, &error))?;
+            self.is_stale = false;
+        }
+        Ok(())
+    }
+
     fn traced(
         &mut self,
         py: Python<'_>,
@@ -257,6 +291,9 @@ impl PyRenderer {
         denoise: bool,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<PyImage> {
+        // Before the film is made.
+        frame.check().map_err(|error| of_tracing(py, &error))?;
+        self.give_scene(py)?;
         let all = frame.region.pixels() as u64 * u64::from(frame.samples);
         let (done, scene, tracer) = (Progress::default(), &self.scene, exclusive(&mut self.tracer));
         let tell = |py: Python<'_>| match &progress {

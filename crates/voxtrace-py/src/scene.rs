@@ -12,8 +12,10 @@ use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::thread;
+use std::time::Duration;
 use voxtrace::cuts::Cuts;
 use voxtrace::export::{ExportError, writer_of};
 use voxtrace::glam::DAffine3;
@@ -21,7 +23,10 @@ use voxtrace::material::MAX_MATERIALS;
 use voxtrace::packed::{FileErrorKind, PackError};
 use voxtrace::{Instance, PackedScene, Scene, Transform};
 
-/// Voxels in their places, with materials, sky and cameras.
+/// Time between two looks at whether another thread has packed the scene.
+const PERIOD: Duration = Duration::from_millis(5);
+
+/// Voxels in their places, with materials, sky and cameras. Threads may share it: while it is packed for one of them the others wait, and cannot change it.
 ///
 /// >>> import voxtrace
 /// >>> scene = voxtrace.builtin("city", voxels=20_000)
@@ -30,8 +35,8 @@ use voxtrace::{Instance, PackedScene, Scene, Transform};
 #[pyclass(name = "Scene", module = "voxtrace")]
 pub struct PyScene {
     content: Held,
-    /// As it is traced: with instances merged, and with instances kept apart.
-    packed: [Option<Arc<PackedScene>>; 2],
+    /// As it is traced: with instances merged, and with instances kept apart. Who packs it holds the lock.
+    packed: [Mutex<Option<Arc<PackedScene>>>; 2],
     /// What of it is shown, the lowest and the highest corner; all of it where there is none.
     clip: Option<Corners>,
     /// What the reader left out or put up with.
@@ -74,16 +79,16 @@ impl PyInstance {
 
 impl PyScene {
     pub fn of(scene: Scene) -> Self {
-        Self { content: Held::Scene(Box::new(scene)), packed: [None, None], clip: None, notes: Vec::new() }
+        Self { content: Held::Scene(Box::new(scene)), packed: Default::default(), clip: None, notes: Vec::new() }
     }
 
     pub fn of_packed(packed: Arc<PackedScene>) -> Self {
-        Self { content: Held::Packed(packed), packed: [None, None], clip: None, notes: Vec::new() }
+        Self { content: Held::Packed(packed), packed: Default::default(), clip: None, notes: Vec::new() }
     }
 
     /// The scene to be changed; what was packed is packed anew when it is next needed.
     fn changing(&mut self) -> &mut Scene {
-        self.packed = [None, None];
+        self.packed = Default::default();
         if let Held::Packed(packed) = &self.content {
             self.content = Held::Scene(Box::new(packed.to_scene()));
         }
@@ -101,28 +106,35 @@ impl PyScene {
         }
     }
 
-    /// The scene as it is traced; `keeps_instances` where they are to be moved or edited.
-    pub fn packed(&mut self, py: Python<'_>, keeps_instances: bool) -> PyResult<Arc<PackedScene>> {
-        if let Some(packed) = &self.packed[usize::from(keeps_instances)] {
-            return Ok(Arc::clone(packed));
+    /// The scene as it is traced; `keeps_instances` where they are to be moved or edited. Where another thread packs it, this one waits.
+    pub fn packed(&self, py: Python<'_>, keeps_instances: bool) -> PyResult<Arc<PackedScene>> {
+        let place = &self.packed[usize::from(keeps_instances)];
+        if let Some(packed) = try_lock(place).and_then(|packed| packed.clone()) {
+            return Ok(packed);
         }
+        let cuts = cuts_of(self.clip)?;
         let wanted = AtomicBool::new(true);
         let goes_on = || wanted.load(Ordering::Relaxed);
         let content = &self.content;
-        let work = || match content {
-            Held::Packed(packed) if keeps_instances && packed.is_merged() => Ok(Arc::new(packed.split())),
-            Held::Packed(packed) => Ok(Arc::clone(packed)),
-            Held::Scene(scene) if keeps_instances => PackedScene::pack_while(scene, &goes_on).map(Arc::new),
-            Held::Scene(scene) => PackedScene::pack_merged_while(scene, &goes_on).map(Arc::new),
+        let work = || {
+            let mut place = lock_while(place, &goes_on).ok_or(PackError::Stopped)?;
+            if let Some(packed) = &*place {
+                return Ok(Arc::clone(packed));
+            }
+            let mut packed = match content {
+                Held::Packed(packed) if keeps_instances && packed.is_merged() => Arc::new(packed.split()),
+                Held::Packed(packed) => Arc::clone(packed),
+                Held::Scene(scene) if keeps_instances => Arc::new(PackedScene::pack_while(scene, &goes_on)?),
+                Held::Scene(scene) => Arc::new(PackedScene::pack_merged_while(scene, &goes_on)?),
+            };
+            if packed.cuts != cuts {
+                Arc::make_mut(&mut packed).cuts = cuts;
+            }
+            *place = Some(Arc::clone(&packed));
+            Ok(packed)
         };
         let packed: Result<_, PackError> = run(py, || wanted.store(false, Ordering::Relaxed), |_| Ok(()), work)?;
-        let mut packed = packed.map_err(|error| other(py, error))?;
-        let cuts = cuts_of(self.clip)?;
-        if packed.cuts != cuts {
-            Arc::make_mut(&mut packed).cuts = cuts;
-        }
-        self.packed[usize::from(keeps_instances)] = Some(Arc::clone(&packed));
-        Ok(packed)
+        packed.map_err(|error| other(py, error))
     }
 }
 
@@ -293,8 +305,10 @@ impl PyScene {
     fn set_clip(&mut self, clip: Option<(Three, Three)>) -> PyResult<()> {
         let clip = clip.map(|(low, high)| (low.single().to_array(), high.single().to_array()));
         let cuts = cuts_of(clip)?;
-        for packed in self.packed.iter_mut().flatten() {
-            Arc::make_mut(packed).cuts = cuts.clone();
+        for place in &mut self.packed {
+            if let Some(packed) = place.get_mut().unwrap_or_else(PoisonError::into_inner) {
+                Arc::make_mut(packed).cuts = cuts.clone();
+            }
         }
         self.clip = clip;
         Ok(())
@@ -323,7 +337,7 @@ impl PyScene {
 
     /// Voxels stored, each grid once.
     #[getter]
-    fn voxels(&mut self, py: Python<'_>) -> PyResult<u64> {
+    fn voxels(&self, py: Python<'_>) -> PyResult<u64> {
         match &self.content {
             Held::Scene(scene) => Ok(py.detach(|| scene.grids.iter().map(|grid| grid.count()).sum())),
             Held::Packed(packed) => Ok(packed.statistics().voxels),
@@ -332,14 +346,14 @@ impl PyScene {
 
     /// The lowest and the highest corner of everything visible, world units; `None` where there is nothing.
     #[getter]
-    fn bounds(&mut self, py: Python<'_>) -> PyResult<Option<([f32; 3], [f32; 3])>> {
+    fn bounds(&self, py: Python<'_>) -> PyResult<Option<([f32; 3], [f32; 3])>> {
         let packed = self.packed(py, false)?;
         Ok(packed.bounds().map(|(low, high)| (low.to_array(), high.to_array())))
     }
 
     /// What the scene holds and what it costs: `voxels`, `voxels_placed`, `instances`, `materials`, `size`, `bytes` by kind, `bytes_per_voxel`, `unit`,
     /// `voxel_size`, `content_hash`.
-    fn info<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn info<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let packed = self.packed(py, false)?;
         let statistics = py.detach(|| packed.statistics());
         let bytes = PyDict::new(py);
@@ -369,7 +383,7 @@ impl PyScene {
     /// phrase each. The file is whole or what it was before.
     ///
     /// Raises `ValueError` for another name or a scene that the format has no place for, `OSError` where the file cannot be written.
-    fn save(&mut self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
         if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vxt")) {
             let packed = self.packed(py, false)?;
             let saved = py.detach(|| packed.save(&path));
@@ -392,7 +406,7 @@ impl PyScene {
 
     /// The scene as the bytes of a `.vxt` file: to send it, and to keep it elsewhere than in a file.
     #[pyo3(name = "to_bytes")]
-    fn packed_bytes<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+    fn packed_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let packed = self.packed(py, false)?;
         Ok(PyBytes::new(py, &py.detach(|| packed.to_bytes())))
     }
@@ -406,9 +420,29 @@ impl PyScene {
         Ok(Self::of_packed(Arc::new(packed)))
     }
 
-    fn __repr__(&mut self, py: Python<'_>) -> PyResult<String> {
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let voxels = self.voxels(py)?;
         Ok(format!("<Scene {:?}: {voxels} voxels>", self.name()))
+    }
+}
+
+/// What nobody else has now; `None` where somebody does.
+fn try_lock<T>(mutex: &Mutex<T>) -> Option<MutexGuard<'_, T>> {
+    match mutex.try_lock() {
+        Ok(guard) => Some(guard),
+        Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner()),
+        Err(TryLockError::WouldBlock) => None,
+    }
+}
+
+/// Waits for a lock; `None` once `goes_on` says no.
+fn lock_while<'a, T>(mutex: &'a Mutex<T>, goes_on: &dyn Fn() -> bool) -> Option<MutexGuard<'a, T>> {
+    loop {
+        match try_lock(mutex) {
+            Some(guard) => return Some(guard),
+            None if goes_on() => thread::sleep(PERIOD),
+            None => return None,
+        }
     }
 }
 

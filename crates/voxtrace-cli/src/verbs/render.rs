@@ -36,6 +36,7 @@ use resume::Resumed;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use voxtrace::film::Pixel;
+use voxtrace::frame::MAX_PIXELS;
 use voxtrace::glam::Vec3;
 use voxtrace::motion::MovingTracer;
 use voxtrace::output::{FilmFile, PictureFormat, SceneStamp};
@@ -44,8 +45,7 @@ use voxtrace_bench::quantity::{clock, counted};
 
 const DEFAULT_SIZE: Size = (1280, 720);
 const DEFAULT_SAMPLES: u32 = 64;
-/// Most pixels of one film: 16,384², 8 GiB of sums.
-const MAX_PIXELS: u64 = 1 << 28;
+
 /// Render pictures of a scene
 #[derive(clap::Args, Clone, Debug)]
 pub struct RenderArgs {
