@@ -58,7 +58,7 @@ def view(
     `height`: of the picture in the page, CSS pixels. `renderer`: `"browser"` traces in the page (WebAssembly; the scene is sent there), `"kernel"` sends pictures;
     `"auto"` chooses the browser where it can and the scene has at most 64 MiB. `device`: what the kernel traces with, as in `Renderer`.
 
-    Raises `ImportError` without `pip install voxtrace[notebook]`.
+    Raises `ImportError` without the extra `notebook` of this package.
     """
     from .notebook import View
 

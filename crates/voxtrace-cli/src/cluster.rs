@@ -1,14 +1,15 @@
 //! A tracer on the workers of a Dask cluster. The Python package has the cluster: it is started as a program of its own, gets the scene and the frame as
-//! files, shares the samples among workers (`python/voxtrace/dask.py`), and gives their film back.
+//! files, shares the samples among workers (`python/voxtrace/dask/`), and gives their film back.
 
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
+use tempfile::TempDir;
 use voxtrace::output::{FilmFile, SceneStamp};
 use voxtrace::packed::Placement;
 use voxtrace::{CpuTracer, Film, Frame, Hit, PackedScene, Progress, Ray, Region, TraceError, Tracer};
@@ -24,8 +25,8 @@ pub struct ClusterTracer {
     /// What each worker traces on.
     device: String,
     python: OsString,
-    /// For the files that both programs share; removed in the end.
-    folder: PathBuf,
+    /// For the files that both programs share; removed in the end. Nobody else can have made it, or links in it.
+    folder: TempDir,
     scene: Option<Arc<PackedScene>>,
     film: Option<(Frame, Film)>,
 }
@@ -33,19 +34,18 @@ pub struct ClusterTracer {
 impl ClusterTracer {
     /// A tracer on the workers of the scheduler at an address.
     pub fn new(address: &str, device: &str) -> Result<Self, TraceError> {
-        let folder = std::env::temp_dir().join(format!("voxtrace-cluster-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).map_err(|error| failed(format!("{}: {error}", folder.display())))?;
+        let folder = tempfile::Builder::new().prefix("voxtrace-cluster-").tempdir().map_err(failed)?;
         let python = std::env::var_os("VOXTRACE_PYTHON").unwrap_or_else(|| "python3".into());
         Ok(Self { address: address.into(), device: device.into(), python, folder, scene: None, film: None })
     }
 
     fn scene_file(&self) -> PathBuf {
-        self.folder.join("scene.vxt")
+        self.folder.path().join("scene.vxt")
     }
 
     /// The film of a range of samples of a frame.
     fn share(&self, scene: &PackedScene, frame: &Frame, progress: &Progress) -> Result<Option<Film>, TraceError> {
-        let (like, out) = (self.folder.join("frame.vxf"), self.folder.join("film.vxf"));
+        let (like, out) = (self.folder.path().join("frame.vxf"), self.folder.path().join("film.vxf"));
         // What the picture is like, with one pixel.
         let region = frame.region;
         let corner = Region { x1: region.x0 + 1, y1: region.y0 + 1, ..region };
@@ -109,7 +109,7 @@ impl ClusterTracer {
         let last = said.lines().rev().map(str::trim).find(|line| !line.is_empty()).unwrap_or("it ended without a word");
         if last.contains(LACKING) {
             return Err(failed(format!(
-                "{} has no package for it ({last}): pip install voxtrace[cluster], or name another Python by VOXTRACE_PYTHON",
+                "{} has no package for it ({last}): install the extra `cluster` of the package voxtrace, or name another Python by VOXTRACE_PYTHON",
                 self.python.display()
             )));
         }
@@ -118,7 +118,7 @@ impl ClusterTracer {
 
     fn no_python(&self, error: &io::Error) -> TraceError {
         failed(format!(
-            "{} does not start ({error}): the cluster needs Python with voxtrace[cluster]; VOXTRACE_PYTHON names one",
+            "{} does not start ({error}): the cluster needs Python with the extra `cluster` of the package voxtrace; VOXTRACE_PYTHON names one",
             self.python.display()
         ))
     }
@@ -126,12 +126,6 @@ impl ClusterTracer {
 
 fn failed(reason: impl ToString) -> TraceError {
     TraceError::Device { step: "rendering on the cluster".into(), reason: reason.to_string() }
-}
-
-impl Drop for ClusterTracer {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(Path::new(&self.folder));
-    }
 }
 
 impl Tracer for ClusterTracer {

@@ -28,7 +28,7 @@ pub struct TracerArgs {
     /// Limit on GPU memory, for example 2GB; with --traversal walk larger scenes are traced page by page
     #[arg(long, value_name = "BYTES", value_parser = parse::bytes)]
     memory_budget: Option<u64>,
-    /// Trace on the workers of a Dask cluster, for example tcp://scheduler:8786, by the Python package voxtrace[cluster] (docs/cluster.md)
+    /// Trace on the workers of a Dask cluster, for example tcp://scheduler:8786, by the Python package voxtrace with its extra `cluster` (docs/cluster.md)
     #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["primitive", "fast", "memory_budget"])]
     cluster: Option<String>,
 }

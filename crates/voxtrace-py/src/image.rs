@@ -195,11 +195,11 @@ impl PyImage {
     }
 
     /// The same picture without its noise; `scene` is that which was rendered. `filter`: `"voxtrace"`, as `render` does it, or `"oidn"`, Intel's Open Image Denoise,
-    /// which `pip install voxtrace[denoise]` brings; its last bits may differ from machine to machine.
+    /// which the extra `denoise` of this package brings; its last bits may differ from machine to machine.
     ///
     /// Raises `ValueError` where the scene is another, and `VoxtraceError` where Open Image Denoise is not installed or fails.
     #[pyo3(signature = (scene, filter="voxtrace"))]
-    fn denoise(&self, py: Python<'_>, scene: &mut PyScene, filter: &str) -> PyResult<Self> {
+    fn denoise(&self, py: Python<'_>, scene: &PyScene, filter: &str) -> PyResult<Self> {
         if !["voxtrace", "oidn"].contains(&filter) {
             return Err(argument(format!("{filter:?} is neither \"voxtrace\" nor \"oidn\"")));
         }
@@ -245,7 +245,7 @@ fn open_oidn(py: Python<'_>) -> PyResult<Oidn> {
         packages.extend(folders.iter().filter_map(|folder| folder.parent()).map(PathBuf::from));
     }
     Oidn::open_of(&packages).map_err(|error| match error {
-        OidnError::NotFound(_) => other(py, format!("{error}; pip install voxtrace[denoise] brings it")),
+        OidnError::NotFound(_) => other(py, format!("{error}; the extra `denoise` of this package brings it")),
         _ => other(py, error),
     })
 }

@@ -12,6 +12,7 @@ use crate::method::Settings;
 use crate::statistics::Statistics;
 use crate::watch::Watch;
 use crate::worker::{Canvas, Worker};
+use std::io::Write;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace_core::CpuTracer;
@@ -361,7 +362,11 @@ fn samples_of(copy: &Option<(Frame, Film)>) -> u64 {
 
 /// Writes what the driver knows about a fault to a file among the temporary ones; `None` where that fails.
 fn write_report(report: &str) -> Option<String> {
-    let path = std::env::temp_dir().join(format!("voxtrace-gpu-fault-{}.txt", std::process::id()));
-    std::fs::write(&path, report).ok()?;
-    Some(path.display().to_string())
+    // Under a name that nobody has taken: others may write there, too, and links lead elsewhere.
+    (0..100).find_map(|number| {
+        let path = std::env::temp_dir().join(format!("voxtrace-gpu-fault-{}-{number}.txt", std::process::id()));
+        let mut file = std::fs::File::options().write(true).create_new(true).open(&path).ok()?;
+        file.write_all(report.as_bytes()).ok()?;
+        Some(path.display().to_string())
+    })
 }

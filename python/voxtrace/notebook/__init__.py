@@ -1,6 +1,6 @@
 """Scenes in notebooks: a widget that is turned, cut open and picked in, in the page and in Python alike (`docs/notebooks.md`).
 
-It needs `pip install voxtrace[notebook]`.
+It needs the extra `notebook` of this package.
 """
 
 from ._widget import View

@@ -14,7 +14,7 @@ from . import _files, _remote
 try:
     import anywidget
 except ImportError as error:
-    raise ImportError("voxtrace.view needs anywidget: pip install voxtrace[notebook]") from error
+    raise ImportError("voxtrace.view needs anywidget, which the extra `notebook` of this package brings") from error
 
 #: Presets of transfer functions that the page offers; without a name the one that suits the values.
 _PRESETS = ["", "ct-bone", "ct-skin", "mri", "hot", "fog"]

@@ -32,9 +32,12 @@ pub fn place(written: &Path, wanted: &Path) -> io::Result<PathBuf> {
                 return Ok(path);
             }
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            // Not every file system has links.
-            Err(_) if path.exists() => {}
-            Err(_) => return std::fs::rename(written, &path).map(|()| path),
+            // Not every file system has links. An empty file of ours keeps the name, and goes when it is taken.
+            Err(_) => match std::fs::File::create_new(&path) {
+                Ok(_) => return std::fs::rename(written, &path).map(|()| path),
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            },
         }
     }
     Err(io::ErrorKind::AlreadyExists.into())

@@ -7,10 +7,10 @@ use voxtrace::{BounceLimits, Frame};
 #[derive(clap::Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Quality")]
 pub struct LimitArgs {
-    /// Most of them that matte surfaces scatter [default: all]
+    /// Most bounces off matte surfaces [default: all]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=254))]
     diffuse_bounces: Option<u8>,
-    /// Most of them that metals, or glass, reflect [default: all]
+    /// Most reflections by metals and glass [default: all]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=254))]
     glossy_bounces: Option<u8>,
     /// Most boundaries of glass that refract a path [default: all]
