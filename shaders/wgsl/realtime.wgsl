@@ -4394,6 +4394,8 @@ fn local_ray_0( ray_14 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     return local_3;
 }
 
+@id(3) override TOP_SHIFT_0 : u32 = u32(0);
+
 struct Walk_0
 {
      ray_15 : LocalRay_0,
@@ -4401,98 +4403,101 @@ struct Walk_0
      offset_0 : vec3<i32>,
      speed_1 : vec3<f32>,
      inverse_1 : vec3<f32>,
-     grid_origin_0 : vec3<i32>,
+     base_0 : vec3<i32>,
      tolerance_0 : vec3<f32>,
-     mirror_0 : vec3<i32>,
+     octant_0 : u32,
      t_end_0 : f32,
 };
 
-fn Walk_mirrored_plane_0( this_33 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+fn LocalRay_octant_0( this_33 : LocalRay_0) -> u32
 {
-    return ((plane_0 ^ ((this_33.mirror_0)))) - this_33.mirror_0;
+    return (((u32((this_33.direction_26.x) < 0.0f) | (((u32((this_33.direction_26.y) < 0.0f) << (u32(1))))))) | (((u32((this_33.direction_26.z) < 0.0f) << (u32(2))))));
 }
 
-fn min_abs_direction_0() -> f32
+fn Walk_mirror_0( this_34 : Walk_0) -> vec3<i32>
 {
-    var _S279 : f32;
-    if(IS_EXACT_0)
+    return (vec3<i32>(0) - vec3<i32>(i32(((this_34.octant_0) & (u32(1)))), i32(((((this_34.octant_0) >> (u32(1)))) & (u32(1)))), i32(((this_34.octant_0) >> (u32(2))))));
+}
+
+fn Walk_mirrored_plane_0( this_35 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+{
+    var _S279 : vec3<i32> = Walk_mirror_0(this_35);
+    return ((plane_0 ^ (_S279))) - _S279;
+}
+
+fn LocalRay_mirrored_origin_0( this_36 : LocalRay_0) -> vec3<f32>
+{
+    return select(this_36.origin_7, (vec3<f32>(0) - this_36.origin_7), (this_36.direction_26) < vec3<f32>(0.0f));
+}
+
+fn min_element_0( vector_5 : vec3<f32>) -> f32
+{
+    return min(min(vector_5.x, vector_5.y), vector_5.z);
+}
+
+fn top_shift_of_0( grid_8 : PackedGrid_0) -> u32
+{
+    var _S280 : u32;
+    if(TOP_SHIFT_0 != u32(0))
     {
-        _S279 = 0.0f;
+        _S280 = TOP_SHIFT_0;
     }
     else
     {
-        _S279 = 1.00000004581370497e-18f;
+        _S280 = grid_8.top_shift_0;
     }
-    return _S279;
+    return _S280;
 }
 
-@id(3) override TOP_SHIFT_0 : u32 = u32(0);
-
-fn LocalRay_tolerance_0( this_34 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
+fn LocalRay_tolerance_0( this_37 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
 {
-    return select((abs(this_34.origin_7) + (vec3<f32>(max(abs(low_7), abs(high_2))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_34.direction_26) == vec3<f32>(0.0f));
+    return select((abs(this_37.origin_7) + (vec3<f32>(max(abs(low_7), abs(high_2))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_37.direction_26) == vec3<f32>(0.0f));
 }
 
-fn LocalRay_t_end_0( this_35 : LocalRay_0) -> f32
+fn LocalRay_t_end_0( this_38 : LocalRay_0) -> f32
 {
-    return min(this_35.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
+    return min(this_38.t_max_2 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( ray_16 : LocalRay_0,  grid_8 : PackedGrid_0) -> Walk_0
+fn walk_from_0( base_1 : vec3<i32>,  ray_16 : LocalRay_0,  grid_9 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
     walk_0.ray_15 = ray_16;
-    walk_0.grid_origin_0 = cell_of_0(grid_8.origin_4);
-    var is_negative_0 : vec3<bool> = (ray_16.direction_26) < vec3<f32>(0.0f);
-    var _S280 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S280, vec3<i32>(i32(-1)), is_negative_0);
+    walk_0.base_0 = base_1;
+    walk_0.octant_0 = LocalRay_octant_0(ray_16);
     var _S281 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S281 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S281 = Walk_mirrored_plane_0(walk_0, base_1);
     }
     else
     {
-        _S281 = _S280;
+        _S281 = vec3<i32>(i32(0));
     }
     walk_0.offset_0 = _S281;
-    var origin_10 : vec3<f32>;
-    if(IS_EXACT_0)
+    walk_0.origin_9 = LocalRay_mirrored_origin_0(ray_16);
+    var _S282 : vec3<f32> = abs(ray_16.direction_26);
+    var _S283 : vec3<f32> = abs(ray_16.inverse_0);
+    var is_still_0 : vec3<bool> = (ray_16.direction_26) == vec3<f32>(0.0f);
+    walk_0.speed_1 = select(_S282, vec3<f32>((max_element_0(_S282) * 9.99999993922529029e-09f)), is_still_0);
+    walk_0.inverse_1 = select(_S283, vec3<f32>((min_element_0(_S283) * 9.99999986991104e+14f)), is_still_0);
+    if(!IS_EXACT_0)
     {
-        origin_10 = ray_16.origin_7;
+        var _S284 : vec3<f32> = vec3<f32>(base_1);
+        walk_0.origin_9 = select(ray_16.origin_7 - _S284, _S284 - ray_16.origin_7, (ray_16.direction_26) < vec3<f32>(0.0f));
+        var _S285 : vec3<f32> = max(_S282, vec3<f32>(1.00000004581370497e-18f));
+        walk_0.speed_1 = _S285;
+        walk_0.inverse_1 = vec3<f32>(1.0f) / _S285;
     }
-    else
-    {
-        origin_10 = ray_16.origin_7 - vec3<f32>(walk_0.grid_origin_0);
-    }
-    walk_0.origin_9 = select(origin_10, (vec3<f32>(0) - origin_10), is_negative_0);
-    walk_0.speed_1 = max(abs(ray_16.direction_26), vec3<f32>(min_abs_direction_0()));
-    if(IS_EXACT_0)
-    {
-        origin_10 = abs(ray_16.inverse_0);
-    }
-    else
-    {
-        origin_10 = vec3<f32>(1.0f) / walk_0.speed_1;
-    }
-    walk_0.inverse_1 = origin_10;
-    var top_shift_1 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_1 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_1 = grid_8.top_shift_0;
-    }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_8.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    var low_8 : vec3<i32> = cell_of_0(grid_9.origin_4);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_16, low_8, low_8 + (((cell_of_0(grid_9.top_size_0)) << (vec3<u32>(top_shift_of_0(grid_9))))));
     walk_0.t_end_0 = LocalRay_t_end_0(ray_16);
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_36 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_39 : Walk_0,  voxel_6 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_6 ^ ((this_36.mirror_0)));
+    return (voxel_6 ^ ((Walk_mirror_0(this_39))));
 }
 
 fn halves_0( value_2 : f32) -> vec2<f32>
@@ -4510,96 +4515,111 @@ fn exact_product_0( a_4 : f32,  b_4 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_4);
     var b_parts_0 : vec2<f32> = halves_0(b_4);
-    var _S282 : f32 = a_parts_0.x;
-    var _S283 : f32 = b_parts_0.x;
-    var _S284 : f32 = b_parts_0.y;
-    var _S285 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S282 * _S283 - product_0 + _S282 * _S284 + _S285 * _S283 + _S285 * _S284);
+    var _S286 : f32 = a_parts_0.x;
+    var _S287 : f32 = b_parts_0.x;
+    var _S288 : f32 = b_parts_0.y;
+    var _S289 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S286 * _S287 - product_0 + _S286 * _S288 + _S289 * _S287 + _S289 * _S288);
 }
 
 fn exact_start_voxel_0( ray_17 : LocalRay_0) -> vec3<i32>
 {
     var way_3 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(0)]);
-    var _S286 : f32 = way_3.x;
-    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S286;
+    var _S290 : f32 = way_3.x;
+    var sum_3 : f32 = ray_17.origin_7[u32(0)] + _S290;
     var part_0 : f32 = sum_3 - ray_17.origin_7[u32(0)];
-    var low_8 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S286 - part_0) + way_3.y;
+    var low_9 : f32 = ray_17.origin_7[u32(0)] - (sum_3 - part_0) + (_S290 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S287 : i32 = i32(whole_0);
-    var _S288 : bool;
+    var _S291 : i32 = i32(whole_0);
+    var _S292 : bool;
     if(sum_3 == whole_0)
     {
-        _S288 = low_8 < 0.0f;
+        _S292 = low_9 < 0.0f;
     }
     else
     {
-        _S288 = false;
+        _S292 = false;
     }
-    voxel_7[u32(0)] = _S287 - i32(_S288);
+    voxel_7[u32(0)] = _S291 - i32(_S292);
     var way_4 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(1)]);
-    var _S289 : f32 = way_4.x;
-    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S289;
+    var _S293 : f32 = way_4.x;
+    var sum_4 : f32 = ray_17.origin_7[u32(1)] + _S293;
     var part_1 : f32 = sum_4 - ray_17.origin_7[u32(1)];
-    var low_9 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S289 - part_1) + way_4.y;
+    var low_10 : f32 = ray_17.origin_7[u32(1)] - (sum_4 - part_1) + (_S293 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S290 : i32 = i32(whole_1);
+    var _S294 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S288 = low_9 < 0.0f;
+        _S292 = low_10 < 0.0f;
     }
     else
     {
-        _S288 = false;
+        _S292 = false;
     }
-    voxel_7[u32(1)] = _S290 - i32(_S288);
+    voxel_7[u32(1)] = _S294 - i32(_S292);
     var way_5 : vec2<f32> = exact_product_0(ray_17.t_min_2, ray_17.direction_26[u32(2)]);
-    var _S291 : f32 = way_5.x;
-    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S291;
+    var _S295 : f32 = way_5.x;
+    var sum_5 : f32 = ray_17.origin_7[u32(2)] + _S295;
     var part_2 : f32 = sum_5 - ray_17.origin_7[u32(2)];
-    var low_10 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S291 - part_2) + way_5.y;
+    var low_11 : f32 = ray_17.origin_7[u32(2)] - (sum_5 - part_2) + (_S295 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S292 : i32 = i32(whole_2);
+    var _S296 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S288 = low_10 < 0.0f;
+        _S292 = low_11 < 0.0f;
     }
     else
     {
-        _S288 = false;
+        _S292 = false;
     }
-    voxel_7[u32(2)] = _S292 - i32(_S288);
+    voxel_7[u32(2)] = _S296 - i32(_S292);
     return voxel_7;
 }
 
-fn Walk_start_voxel_0( this_37 : Walk_0) -> vec3<i32>
+fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
 {
-    var start_3 : vec3<f32> = clamp(this_37.ray_15.origin_7 + this_37.ray_15.direction_26 * vec3<f32>(this_37.ray_15.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    var start_3 : vec3<f32> = clamp(this_40.ray_15.origin_7 + this_40.ray_15.direction_26 * vec3<f32>(this_40.ray_15.t_min_2), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
     if(!IS_EXACT_0)
     {
-        return Walk_mirrored_0(this_37, vec3<i32>(floor(start_3)) - this_37.grid_origin_0);
+        return Walk_mirrored_0(this_40, vec3<i32>(floor(start_3)) - this_40.base_0);
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S293 : bool;
-    if((this_37.ray_15.t_min_2) > 0.0f)
+    var _S297 : bool;
+    if((this_40.ray_15.t_min_2) > 0.0f)
     {
-        _S293 = (any(((abs(from_nearest_0)) <= (this_37.tolerance_0))));
+        _S297 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
     }
     else
     {
-        _S293 = false;
+        _S297 = false;
     }
-    if(_S293)
+    if(_S297)
     {
-        return Walk_mirrored_0(this_37, exact_start_voxel_0(this_37.ray_15) - this_37.grid_origin_0);
+        return Walk_mirrored_0(this_40, exact_start_voxel_0(this_40.ray_15) - this_40.base_0);
     }
-    return Walk_mirrored_0(this_37, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_37.grid_origin_0);
+    return Walk_mirrored_0(this_40, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_40.base_0);
 }
 
-fn Walk_crossings_0( this_38 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
+@id(11) override CELLS_SKIP_0 : bool = false;
+
+fn Walk_crossings_0( this_41 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_1 + this_38.offset_0) - this_38.origin_9) * this_38.inverse_1;
+    var _S298 : bool;
+    if(IS_EXACT_0)
+    {
+        _S298 = !CELLS_SKIP_0;
+    }
+    else
+    {
+        _S298 = false;
+    }
+    if(_S298)
+    {
+        return ((bitcast<vec3<f32>>((planes_1 + this_41.offset_0 + vec3<i32>(i32(1262485504))))) - vec3<f32>(1.2582912e+07f) - this_41.origin_9) * this_41.inverse_1;
+    }
+    return (vec3<f32>(planes_1 + this_41.offset_0) - this_41.origin_9) * this_41.inverse_1;
 }
 
 struct Crossing_0
@@ -4612,104 +4632,83 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S294 : Crossing_0;
-    _S294.distance_2 = distance_3;
-    _S294.distance_low_0 = distance_low_1;
-    _S294.speed_2 = speed_3;
-    _S294.axis_1 = axis_2;
-    return _S294;
+    var _S299 : Crossing_0;
+    _S299.distance_2 = distance_3;
+    _S299.distance_low_0 = distance_low_1;
+    _S299.speed_2 = speed_3;
+    _S299.axis_1 = axis_2;
+    return _S299;
 }
 
-fn crossing_of_0( ray_18 : LocalRay_0,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_ahead_0( origin_10 : f32,  speed_4 : f32,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
 {
-    var sign_0 : f32;
-    if((ray_18.direction_26[axis_3]) < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
     var at_9 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_9 - ray_18.origin_7[axis_3];
+    var difference_0 : f32 = at_9 - origin_10;
     var part_3 : f32 = difference_0 - at_9;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_9 - (difference_0 - part_3) - (ray_18.origin_7[axis_3] + part_3)) * sign_0, abs(ray_18.direction_26[axis_3]), axis_3);
+    return Crossing_x24init_0(difference_0, at_9 - (difference_0 - part_3) - (origin_10 + part_3), speed_4, axis_3);
 }
 
-fn Crossing_is_before_0( this_39 : Crossing_0,  other_1 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_42 : Crossing_0,  other_1 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_39.distance_2, other_1.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_2, this_39.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_42.distance_2, other_1.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_1.distance_2, this_42.speed_2);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_39.distance_low_0 * other_1.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_39.speed_2;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_42.distance_low_0 * other_1.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_42.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S295 : bool;
+    var _S300 : bool;
     if(difference_1 < 0.0f)
     {
-        _S295 = true;
+        _S300 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S295 = (this_39.axis_1) < (other_1.axis_1);
+            _S300 = (this_42.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S295 = false;
+            _S300 = false;
         }
     }
-    return _S295;
+    return _S300;
 }
 
-fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : vec3<i32>,  is_first_0 : bool) -> Crossing_0
 {
-    var _S296 : vec3<f32>;
-    var _S297 : f32;
-    var _S298 : bool;
-    var is_crossed_0 : bool;
-    var first_0 : Crossing_0;
-    var _S299 : f32;
-    var _S300 : bool;
-    var _S301 : f32;
-    var _S302 : bool;
-    var plane_2 : i32;
-    var _S303 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S301 : bool;
+    var found_1 : Crossing_0;
+    var _S302 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S296 = ray_19.direction_26;
-                _S297 = ray_19.direction_26[u32(0)];
-                var _S304 : bool = (ray_19.direction_26[u32(0)]) == 0.0f;
-                _S298 = _S304;
-                if(_S304)
+                if((speed_5[u32(0)]) == 0.0f)
                 {
-                    first_0 = _S303;
+                    found_1 = _S302;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_19, u32(0), exit_0[u32(0)]);
-                if((_S303.axis_1) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_ahead_0(origin_11[u32(0)], speed_5[u32(0)], u32(0), planes_2[u32(0)]);
+                if((_S302.axis_1) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S301 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S303);
+                    _S301 = (Crossing_is_before_0(crossing_0, _S302)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S301)
                 {
-                    first_0 = crossing_0;
+                    found_1 = crossing_0;
                 }
                 else
                 {
-                    first_0 = _S303;
+                    found_1 = _S302;
                 }
                 break;
             }
@@ -4719,25 +4718,22 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S299 = _S296[u32(1)];
-                var _S305 : bool = (_S296[u32(1)]) == 0.0f;
-                _S300 = _S305;
-                if(_S305)
+                if((speed_5[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_19, u32(1), exit_0[u32(1)]);
-                if((first_0.axis_1) == u32(3))
+                var crossing_1 : Crossing_0 = crossing_ahead_0(origin_11[u32(1)], speed_5[u32(1)], u32(1), planes_2[u32(1)]);
+                if((found_1.axis_1) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S301 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_0);
+                    _S301 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S301)
                 {
-                    first_0 = crossing_1;
+                    found_1 = crossing_1;
                 }
                 break;
             }
@@ -4747,25 +4743,22 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                _S301 = _S296[u32(2)];
-                var _S306 : bool = (_S296[u32(2)]) == 0.0f;
-                _S302 = _S306;
-                if(_S306)
+                if((speed_5[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_19, u32(2), exit_0[u32(2)]);
-                if((first_0.axis_1) == u32(3))
+                var crossing_2 : Crossing_0 = crossing_ahead_0(origin_11[u32(2)], speed_5[u32(2)], u32(2), planes_2[u32(2)]);
+                if((found_1.axis_1) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S301 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_0);
+                    _S301 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S301)
                 {
-                    first_0 = crossing_2;
+                    found_1 = crossing_2;
                 }
                 break;
             }
@@ -4773,6 +4766,14 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         }
         break;
     }
+    return found_1;
+}
+
+fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+{
+    var is_crossed_0 : bool;
+    var plane_2 : i32;
+    var _S303 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
     var arrival_0 : vec3<i32> = voxel_8;
     for(;;)
     {
@@ -4780,20 +4781,20 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S298)
+                if((speed_6[u32(0)]) == 0.0f)
                 {
                     break;
                 }
-                var _S307 : bool = u32(0) == (first_0.axis_1);
-                if(_S307)
+                var _S304 : bool = u32(0) == (_S303.axis_1);
+                if(_S304)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(0), nearest_1[u32(0)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S303);
                 }
-                if(_S307)
+                if(_S304)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4801,7 +4802,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S297 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -4810,20 +4811,20 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S300)
+                if((speed_6[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var _S308 : bool = u32(1) == (first_0.axis_1);
-                if(_S308)
+                var _S305 : bool = u32(1) == (_S303.axis_1);
+                if(_S305)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(1), nearest_1[u32(1)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S303);
                 }
-                if(_S308)
+                if(_S305)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -4831,7 +4832,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S299 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -4840,20 +4841,20 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
         {
             for(;;)
             {
-                if(_S302)
+                if((speed_6[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var _S309 : bool = u32(2) == (first_0.axis_1);
-                if(_S309)
+                var _S306 : bool = u32(2) == (_S303.axis_1);
+                if(_S306)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_19, u32(2), nearest_1[u32(2)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S303);
                 }
-                if(_S309)
+                if(_S306)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -4861,7 +4862,7 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S301 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -4871,24 +4872,24 @@ fn leave_box_0( ray_19 : LocalRay_0,  voxel_8 : vec3<i32>,  exit_0 : vec3<i32>, 
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_40 : Walk_0,  voxel_9 : vec3<i32>,  t_6 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_43 : Walk_0,  voxel_9 : vec3<i32>,  t_6 : f32,  is_axis_1 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_1 : vec3<f32> = this_40.origin_9 + this_40.speed_1 * vec3<f32>(t_6);
+    var position_1 : vec3<f32> = this_43.origin_9 + this_43.speed_1 * vec3<f32>(t_6);
     if(IS_EXACT_0)
     {
         var position_2 : vec3<f32> = clamp(position_1, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_2 : vec3<f32> = round(position_2);
         var from_nearest_1 : vec3<f32> = position_2 - nearest_2;
-        if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_40.tolerance_0)))))))
+        if((any((select(vec3<bool>(false), (abs(position_2)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_1, (abs(from_nearest_1)) <= (this_43.tolerance_0)))))))
         {
-            return max(Walk_mirrored_0(this_40, leave_box_0(this_40.ray_15, Walk_mirrored_0(this_40, voxel_9) + this_40.grid_origin_0, Walk_mirrored_plane_0(this_40, exit_1) + this_40.grid_origin_0, Walk_mirrored_plane_0(this_40, vec3<i32>(nearest_2))) - this_40.grid_origin_0), voxel_9);
+            return max(leave_box_0(this_43.origin_9, this_43.speed_1, voxel_9 + this_43.offset_0, exit_1 + this_43.offset_0, vec3<i32>(nearest_2)) - this_43.offset_0, voxel_9);
         }
-        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_40.offset_0, exit_1, is_axis_1);
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_43.offset_0, exit_1, is_axis_1);
     }
     return max(vec3<i32>(floor(position_1)), select(voxel_9, exit_1, is_axis_1));
 }
 
-fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_1 : vec3<i32>,  far_1 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,  near_1 : vec3<i32>,  far_1 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -4897,20 +4898,20 @@ fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_41.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        if((any((select(vec3<bool>(false), (this_44.speed_1) <= vec3<f32>(1.00000004581370497e-18f), is_before_0)))))
         {
             return false;
         }
-        var t_7 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_41, near_1), is_before_0);
+        var t_7 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_44, near_1), is_before_0);
         var t_last_0 : f32 = max_element_0(t_7);
-        if(t_last_0 > (this_41.t_end_0))
+        if(t_last_0 > (this_44.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S310 : bool = !is_x_0;
+        var _S307 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S310)
+        if(_S307)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -4918,130 +4919,138 @@ fn Walk_enter_rounded_0( this_41 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S311 : bool;
-        if(_S310)
+        var _S308 : bool;
+        if(_S307)
         {
-            _S311 = !is_y_0;
+            _S308 = !is_y_0;
         }
         else
         {
-            _S311 = false;
+            _S308 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S311);
-        (*voxel_10) = Walk_arrive_0(this_41, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S308);
+        (*voxel_10) = Walk_arrive_0(this_44, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
 }
 
-fn min_element_0( vector_5 : vec3<f32>) -> f32
+fn Walk_leave_rounded_0( this_45 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    return min(min(vector_5.x, vector_5.y), vector_5.z);
-}
-
-fn Walk_leave_rounded_0( this_42 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
-{
-    var t_8 : vec3<f32> = Walk_crossings_0(this_42, exit_2);
+    var t_8 : vec3<f32> = Walk_crossings_0(this_45, exit_2);
     var t_first_0 : f32 = min_element_0(t_8);
-    if(t_first_0 >= (this_42.t_end_0))
+    if(t_first_0 >= (this_45.t_end_0))
     {
         return false;
     }
-    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_8 - vec3<f32>(t_first_0)) * this_42.speed_1)), (*voxel_11));
+    (*voxel_11) = max(exit_2 - vec3<i32>(ceil((t_8 - vec3<f32>(t_first_0)) * this_45.speed_1)), (*voxel_11));
     return true;
 }
 
-fn Walk_leave_0( this_43 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S312 : bool = Walk_leave_rounded_0(this_43, &((*voxel_12)), exit_3);
-        return _S312;
+        var _S309 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
+        return _S309;
     }
-    var t_9 : vec3<f32> = Walk_crossings_0(this_43, exit_3);
+    var t_9 : vec3<f32> = Walk_crossings_0(this_46, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
-    if(t_first_1 > (this_43.t_end_0))
+    if(t_first_1 > (this_46.t_end_0))
     {
         return false;
     }
-    var is_x_1 : bool = (t_9.x) == t_first_1;
-    var _S313 : bool = !is_x_1;
-    var is_y_1 : bool;
+    var back_0 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_9 - vec3<f32>(t_first_1), this_46.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
+    var _S310 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_0 : vec3<f32> = back_0 + _S310;
+    var _S311 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
+    var _S312 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S310 - back_0)) >= (_S312 - this_46.tolerance_0);
+    var _S313 : bool = is_unsure_0.x;
+    var _S314 : bool;
     if(_S313)
     {
-        is_y_1 = (t_9.y) == t_first_1;
+        _S314 = is_unsure_0.y;
     }
     else
     {
-        is_y_1 = false;
+        _S314 = false;
     }
-    var back_0 : vec3<f32> = (t_9 - vec3<f32>(t_first_1)) * this_43.speed_1;
-    var nearest_3 : vec3<f32> = round(back_0);
-    var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
-    var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S314 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S315 : vec3<bool> = (abs(from_nearest_2)) <= (this_43.tolerance_0);
-    var _S316 : bool;
-    if(_S313)
+    if(_S314)
     {
-        _S316 = !is_y_1;
+        _S314 = true;
     }
     else
     {
-        _S316 = false;
+        if(_S313)
+        {
+            _S314 = true;
+        }
+        else
+        {
+            _S314 = is_unsure_0.y;
+        }
+        if(_S314)
+        {
+            _S314 = is_unsure_0.z;
+        }
+        else
+        {
+            _S314 = false;
+        }
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S316), _S315)))))
+    if(_S314)
     {
-        arrival_1 = Walk_mirrored_0(this_43, leave_box_0(this_43.ray_15, Walk_mirrored_0(this_43, (*voxel_12)) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, exit_3) + this_43.grid_origin_0, Walk_mirrored_plane_0(this_43, planes_2) + this_43.grid_origin_0) - this_43.grid_origin_0);
+        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S312)) + this_46.offset_0) - this_46.offset_0;
     }
     else
     {
-        arrival_1 = _S314;
+        arrival_1 = _S311;
     }
-    (*voxel_12) = select(max(arrival_1, (*voxel_12)), (*voxel_12), (this_43.speed_1) == vec3<f32>(0.0f));
+    (*voxel_12) = max(arrival_1, (*voxel_12));
     return true;
 }
 
-fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11 : vec3<i32>,  high_4 : vec3<i32>) -> bool
+fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S317 : bool;
-    var is_mirrored_0 : vec3<bool> = (this_44.mirror_0) != vec3<i32>(i32(0));
-    var near_2 : vec3<i32> = select(low_11, (vec3<i32>(0) - high_4), is_mirrored_0);
-    var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_11), is_mirrored_0);
+    var _S315 : bool;
+    var is_mirrored_0 : vec3<bool> = (Walk_mirror_0(this_47)) != vec3<i32>(i32(0));
+    var near_2 : vec3<i32> = select(low_12, (vec3<i32>(0) - high_4), is_mirrored_0);
+    var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_12), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S318 : bool = Walk_enter_rounded_0(this_44, &((*voxel_13)), near_2, far_2);
-        return _S318;
+        var _S316 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_2, far_2);
+        return _S316;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S317 = (any(((*voxel_13) < near_2)));
+            _S315 = (any(((*voxel_13) < near_2)));
+        }
+        else
+        {
+            _S315 = false;
+        }
+        var _S317 : bool;
+        if(_S315)
+        {
+            _S317 = (all(((*voxel_13) < far_2)));
         }
         else
         {
             _S317 = false;
         }
-        var _S319 : bool;
         if(_S317)
-        {
-            _S319 = (all(((*voxel_13) < far_2)));
-        }
-        else
-        {
-            _S319 = false;
-        }
-        if(_S319)
         {
         }
         else
         {
             break;
         }
-        var _S320 : bool = Walk_leave_0(this_44, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S320)
+        var _S318 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S318)
         {
             return false;
         }
@@ -5049,23 +5058,18 @@ fn Walk_enter_0( this_44 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_11
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S317 = (all(((*voxel_13) < far_2)));
+        _S315 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S317 = false;
+        _S315 = false;
     }
-    return _S317;
+    return _S315;
 }
 
-fn LocalRay_octant_0( this_45 : LocalRay_0) -> u32
+fn flip_of_0( octant_1 : u32) -> u32
 {
-    return (((u32((this_45.direction_26.x) < 0.0f) | (((u32((this_45.direction_26.y) < 0.0f) << (u32(1))))))) | (((u32((this_45.direction_26.z) < 0.0f) << (u32(2))))));
-}
-
-fn flip_of_0( octant_0 : u32) -> u32
-{
-    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+    return ((((((octant_1 & (u32(1)))) | (((((octant_1 & (u32(2)))) << (u32(1))))))) | (((((octant_1 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
 fn dot_cells_0( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> i32
@@ -5073,27 +5077,25 @@ fn dot_cells_0( a_5 : vec3<i32>,  b_5 : vec3<i32>) -> i32
     return a_5.x * b_5.x + a_5.y * b_5.y + a_5.z * b_5.z;
 }
 
-fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
+fn ahead_of_0( mirror_0 : vec3<i32>) -> u32
 {
-    var bits_3 : vec3<u32> = (vec3<u32>(~mirror_1) & (vec3<u32>(u32(31), u32(992), u32(31744))));
+    var bits_3 : vec3<u32> = (vec3<u32>(~mirror_0) & (vec3<u32>(u32(31), u32(992), u32(31744))));
     return ((((bits_3.x) | ((bits_3.y)))) | ((bits_3.z)));
 }
 
-@id(11) override CELLS_SKIP_0 : bool = false;
-
-fn skip_distance_0( cell_10 : u32,  octant_1 : u32) -> u32
+fn skip_distance_0( cell_10 : u32,  octant_2 : u32) -> u32
 {
-    var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S321 : u32;
+    var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_2)))) & (u32(7)));
+    var _S319 : u32;
     if(code_2 < u32(2))
     {
-        _S321 = code_2 + u32(1);
+        _S319 = code_2 + u32(1);
     }
     else
     {
-        _S321 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S319 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S321;
+    return _S319;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5111,9 +5113,9 @@ fn blocks_of_record_0( record_3 : u32) -> u32
     return ((brick_word_0(record_3)) & (u32(255)));
 }
 
-fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octant_3 : u32,  flip_0 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_2));
+    var block_0 : u32 = (((((u32(((((voxel_14.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_14.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_14.z) & (i32(4))))))) ^ (octant_3));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
@@ -5124,102 +5126,109 @@ fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S322 : i32;
+    var _S320 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S322 = i32(1);
+        _S320 = i32(1);
     }
     else
     {
-        _S322 = i32(0);
+        _S320 = i32(0);
     }
-    return u32(_S322);
+    return u32(_S320);
 }
 
-fn Walk_leave_1( this_46 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S323 : bool = Walk_leave_rounded_0(this_46, &((*voxel_15)), exit_4);
-        return _S323;
+        var _S321 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
+        return _S321;
     }
-    var t_10 : vec3<f32> = Walk_crossings_0(this_46, exit_4);
+    var t_10 : vec3<f32> = Walk_crossings_0(this_48, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
-    if(t_first_2 > (this_46.t_end_0))
+    if(t_first_2 > (this_48.t_end_0))
     {
         return false;
     }
-    var is_x_2 : bool = (t_10.x) == t_first_2;
-    var _S324 : bool = !is_x_2;
-    var is_y_2 : bool;
-    if(_S324)
+    var back_1 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_10 - vec3<f32>(t_first_2), this_48.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
+    var _S322 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_1 : vec3<f32> = back_1 + _S322;
+    var _S323 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
+    var _S324 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S322 - back_1)) >= (_S324 - this_48.tolerance_0);
+    var _S325 : bool = is_unsure_1.x;
+    var _S326 : bool;
+    if(_S325)
     {
-        is_y_2 = (t_10.y) == t_first_2;
+        _S326 = is_unsure_1.y;
     }
     else
     {
-        is_y_2 = false;
+        _S326 = false;
     }
-    var back_1 : vec3<f32> = (t_10 - vec3<f32>(t_first_2)) * this_46.speed_1;
-    var nearest_4 : vec3<f32> = round(back_1);
-    var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
-    var planes_3 : vec3<i32> = exit_4 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S325 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S326 : vec3<bool> = (abs(from_nearest_3)) <= (this_46.tolerance_0);
-    var _S327 : bool;
-    if(_S324)
+    if(_S326)
     {
-        _S327 = !is_y_2;
+        _S326 = true;
     }
     else
     {
-        _S327 = false;
+        if(_S325)
+        {
+            _S326 = true;
+        }
+        else
+        {
+            _S326 = is_unsure_1.y;
+        }
+        if(_S326)
+        {
+            _S326 = is_unsure_1.z;
+        }
+        else
+        {
+            _S326 = false;
+        }
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S327), _S326)))))
+    if(_S326)
     {
-        arrival_2 = Walk_mirrored_0(this_46, leave_box_0(this_46.ray_15, Walk_mirrored_0(this_46, (*voxel_15)) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, exit_4) + this_46.grid_origin_0, Walk_mirrored_plane_0(this_46, planes_3) + this_46.grid_origin_0) - this_46.grid_origin_0);
+        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S324)) + this_48.offset_0) - this_48.offset_0;
     }
     else
     {
-        arrival_2 = _S325;
+        arrival_2 = _S323;
     }
-    (*voxel_15) = select(max(arrival_2, (*voxel_15)), (*voxel_15), (this_46.speed_1) == vec3<f32>(0.0f));
+    (*voxel_15) = max(arrival_2, (*voxel_15));
     return true;
 }
 
-fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S328 : Walk_0 = walk_1;
-    var _S329 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S329;
+    var _S327 : Walk_0 = walk_1;
+    var _S328 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_2) = _S328;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S330 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_9.min_1) - _S328.grid_origin_0, cell_of_0(grid_9.max_1) - _S328.grid_origin_0);
-    if(!_S330)
+    var _S329 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S327.base_0, cell_of_0(grid_10.max_1) - _S327.base_0);
+    if(!_S329)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S328.ray_15);
-    var _S331 : u32 = flip_of_0(octant_3);
-    var top_shift_2 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_2 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_2 = grid_9.top_shift_0;
-    }
-    var top_size_1 : vec3<i32> = cell_of_0(grid_9.top_size_0);
-    var _S332 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S332, _S332 * top_size_1.y);
-    var _S333 : i32 = i32(grid_9.top_offset_0) - dot_cells_0((stride_0 & ((_S328.mirror_0))), vec3<i32>(i32(1)));
-    var _S334 : vec3<i32> = Walk_mirrored_plane_0(_S328, stride_0);
-    var _S335 : u32 = ahead_of_0(_S328.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S329, (_S328.mirror_0) != _S329);
+    var octant_4 : u32 = _S327.octant_0;
+    var _S330 : u32 = flip_of_0(_S327.octant_0);
+    var top_shift_1 : u32 = top_shift_of_0(grid_10);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_10.top_size_0);
+    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S327.base_0;
+    var _S331 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S331, _S331 * top_size_1.y);
+    var _S332 : vec3<u32> = vec3<u32>(top_shift_1);
+    var _S333 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S327)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S332)));
+    var _S334 : vec3<i32> = Walk_mirrored_plane_0(_S327, stride_0);
+    var _S335 : u32 = ahead_of_0(Walk_mirror_0(_S327));
+    var end_0 : vec3<i32> = Walk_mirrored_plane_0(_S327, select(low_13 + ((top_size_1 << (_S332))), low_13, (Walk_mirror_0(_S327)) != _S328));
     if(!IS_EXACT_0)
     {
-        _S328.t_end_0 = min(_S328.t_end_0, min_element_0(Walk_crossings_0(_S328, end_0)));
+        _S327.t_end_0 = min(_S327.t_end_0, min_element_0(Walk_crossings_0(_S327, end_0)));
     }
     var is_found_3 : bool = false;
     for(;;)
@@ -5237,27 +5246,27 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S333 + dot_cells_0(_S334, (voxel_16 >> (vec3<u32>(top_shift_2))))));
+        var cell_13 : u32 = cell_word_0(u32(_S333 + dot_cells_0(_S334, (voxel_16 >> (_S332)))));
+        var is_found_4 : bool;
         var cell_14 : u32;
         var shift_4 : u32;
-        var is_found_4 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S331))));
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S330))));
                 shift_4 = u32(3);
             }
             else
             {
                 cell_14 = cell_13;
-                shift_4 = top_shift_2;
+                shift_4 = top_shift_1;
             }
         }
         else
         {
             cell_14 = cell_13;
-            shift_4 = top_shift_2;
+            shift_4 = top_shift_1;
             for(;;)
             {
                 if(TOP_SHIFT_0 != u32(3))
@@ -5285,7 +5294,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S331))));
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S330))));
                 shift_4 = shift_5;
             }
         }
@@ -5298,7 +5307,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         {
             if(CELLS_SKIP_0)
             {
-                exit_5 = vec3<i32>((i32(skip_distance_0(cell_14, octant_3)) - i32(1)));
+                exit_5 = vec3<i32>((i32(skip_distance_0(cell_14, octant_4)) - i32(1)));
             }
             else
             {
@@ -5319,7 +5328,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             {
                 blocks_1 = blocks_of_record_0(record_5);
             }
-            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_3, _S331);
+            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S330);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5329,7 +5338,7 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S338 : bool = Walk_leave_1(_S328, &(voxel_16), exit_5);
+        var _S338 : bool = Walk_leave_1(_S327, &(voxel_16), exit_5);
         if(!_S338)
         {
             is_found_3 = is_found_4;
@@ -5337,186 +5346,107 @@ fn first_voxel_0( grid_9 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<functi
         }
         is_found_3 = is_found_4;
     }
-    (*found_1) = Walk_mirrored_0(_S328, voxel_16) + _S328.grid_origin_0;
+    (*found_2) = Walk_mirrored_0(_S327, voxel_16) + _S327.base_0;
     return is_found_3;
 }
 
-fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_18 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_20.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_20.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (Walk_mirror_0(walk_2)) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.base_0), ray_18.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_18.t_max_0);
 }
 
-fn hit_of_0( ray_21 : LocalRay_0,  voxel_17 : vec3<i32>,  instance_11 : u32) -> Hit_0
+fn hit_at_0( last_5 : Crossing_0,  t_min_3 : f32,  inverse_2 : vec3<f32>,  voxel_17 : vec3<i32>,  instance_11 : u32,  octant_5 : u32) -> Hit_0
 {
-    var _S339 : vec3<f32>;
-    var _S340 : bool;
-    var last_5 : Crossing_0;
-    var _S341 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    for(;;)
+    var t_11 : f32 = last_5.distance_2 * inverse_2[last_5.axis_1];
+    var _S339 : f32;
+    if(t_11 > t_min_3)
     {
-        for(;;)
-        {
-            for(;;)
-            {
-                _S339 = ray_21.direction_26;
-                if((ray_21.direction_26[u32(0)]) == 0.0f)
-                {
-                    last_5 = _S341;
-                    break;
-                }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_21, u32(0), voxel_17[u32(0)] + i32((ray_21.direction_26[u32(0)]) < 0.0f));
-                if((_S341.axis_1) == u32(3))
-                {
-                    _S340 = true;
-                }
-                else
-                {
-                    _S340 = !Crossing_is_before_0(crossing_3, _S341);
-                }
-                if(_S340)
-                {
-                    last_5 = crossing_3;
-                }
-                else
-                {
-                    last_5 = _S341;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S342 : vec3<f32> = _S339;
-                if((_S339[u32(1)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_21, u32(1), voxel_17[u32(1)] + i32((_S342[u32(1)]) < 0.0f));
-                if((last_5.axis_1) == u32(3))
-                {
-                    _S340 = true;
-                }
-                else
-                {
-                    _S340 = !Crossing_is_before_0(crossing_4, last_5);
-                }
-                if(_S340)
-                {
-                    last_5 = crossing_4;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S343 : vec3<f32> = _S339;
-                if((_S339[u32(2)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_21, u32(2), voxel_17[u32(2)] + i32((_S343[u32(2)]) < 0.0f));
-                if((last_5.axis_1) == u32(3))
-                {
-                    _S340 = true;
-                }
-                else
-                {
-                    _S340 = !Crossing_is_before_0(crossing_5, last_5);
-                }
-                if(_S340)
-                {
-                    last_5 = crossing_5;
-                }
-                break;
-            }
-            break;
-        }
-        break;
-    }
-    var _S344 : Crossing_0 = last_5;
-    var is_negative_1 : bool = (_S339[last_5.axis_1]) < 0.0f;
-    var t_11 : f32 = (f32(voxel_17[last_5.axis_1] + i32(is_negative_1)) - ray_21.origin_7[last_5.axis_1]) * ray_21.inverse_0[last_5.axis_1];
-    var _S345 : f32;
-    if(t_11 > (ray_21.t_min_2))
-    {
-        _S345 = t_11;
+        _S339 = t_11;
     }
     else
     {
-        _S345 = ray_21.t_min_2;
+        _S339 = t_min_3;
     }
-    return Hit_x24init_0(_S345, instance_11, voxel_17, u32(2) * _S344.axis_1 + u32(is_negative_1));
+    return Hit_x24init_0(_S339, instance_11, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_12 : u32) -> Hit_0
 {
-    var t_12 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_18 - walk_3.grid_origin_0));
+    var planes_3 : vec3<i32> = Walk_mirrored_0(walk_3, voxel_18 - walk_3.base_0);
+    if(IS_EXACT_0)
+    {
+        return hit_at_0(crossing_among_0(walk_3.origin_9, walk_3.speed_1, planes_3 + walk_3.offset_0, false), walk_3.ray_15.t_min_2, walk_3.inverse_1, voxel_18, instance_12, walk_3.octant_0);
+    }
+    var t_12 : vec3<f32> = Walk_crossings_0(walk_3, planes_3);
     var last_6 : f32 = max_element_0(t_12);
-    var _S346 : i32;
+    var _S340 : i32;
     if((t_12.z) == last_6)
     {
-        _S346 = i32(2);
+        _S340 = i32(2);
     }
     else
     {
         if((t_12.y) == last_6)
         {
-            _S346 = i32(1);
+            _S340 = i32(1);
         }
         else
         {
-            _S346 = i32(0);
+            _S340 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S346);
-    return Hit_x24init_0(max(last_6, walk_3.ray_15.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + u32((walk_3.mirror_0[axis_5]) != i32(0)));
+    var axis_5 : u32 = u32(_S340);
+    return Hit_x24init_0(max(last_6, walk_3.ray_15.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + (((((walk_3.octant_0) >> (axis_5))) & (u32(1)))));
 }
 
-fn hit_in_0( instance_13 : u32,  ray_22 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_13 : u32,  ray_19 : ptr<function, Ray_0>) -> Hit_0
 {
-    var local_4 : LocalRay_0 = local_ray_0((*ray_22), Instances_operatorx5Bx5D_get_0(instance_13).grid_from_world_0);
+    var local_4 : LocalRay_0 = local_ray_0((*ray_19), Instances_operatorx5Bx5D_get_0(instance_13).grid_from_world_0);
     if(!local_4.is_valid_0)
     {
         return miss_0();
     }
-    var _S347 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
-    var walk_4 : Walk_0 = walk_of_0(local_4, _S347);
-    var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(_S347, walk_4, &(voxel_19));
-    var _S348 : bool;
-    if(IS_SINGLE_0)
+    var _S341 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
+    var _S342 : bool;
+    if(IS_EXACT_0)
     {
-        _S348 = !IS_EXACT_0;
+        _S342 = TOP_SHIFT_0 == u32(3);
     }
     else
     {
-        _S348 = false;
+        _S342 = false;
     }
-    if(_S348)
+    var base_2 : vec3<i32>;
+    if(_S342)
     {
-        (*ray_22) = ray_of_walk_0(walk_4, (*ray_22));
+        base_2 = vec3<i32>(i32(0));
+    }
+    else
+    {
+        base_2 = cell_of_0(_S341.origin_4);
+    }
+    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S341);
+    var voxel_19 : vec3<i32>;
+    var is_found_6 : bool = first_voxel_0(_S341, walk_4, &(voxel_19));
+    if(IS_SINGLE_0)
+    {
+        _S342 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S342 = false;
+    }
+    if(_S342)
+    {
+        (*ray_19) = ray_of_walk_0(walk_4, (*ray_19));
     }
     if(!is_found_6)
     {
         return miss_0();
     }
-    var hit_14 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_14 = hit_of_0(local_4, voxel_19, instance_13);
-    }
-    else
-    {
-        hit_14 = hit_of_walk_0(walk_4, voxel_19, instance_13);
-    }
-    if((hit_14.t_0) > ((*ray_22).t_max_0))
+    var hit_14 : Hit_0 = hit_of_walk_0(walk_4, voxel_19, instance_13);
+    if((hit_14.t_0) > ((*ray_19).t_max_0))
     {
         return miss_0();
     }
@@ -5538,40 +5468,40 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
 {
-    var _S349 : u32 = u32(2) * index_29;
-    var _S350 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S349);
-    var _S351 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S349 + u32(1));
+    var _S343 : u32 = u32(2) * index_29;
+    var _S344 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S343);
+    var _S345 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S343 + u32(1));
     var node_12 : InstanceNode_0;
-    var _S352 : f32 = (bitcast<f32>((_S350.y)));
-    var _S353 : f32 = (bitcast<f32>((_S350.z)));
-    node_12.min_2[i32(0)] = (bitcast<f32>((_S350.x)));
-    node_12.min_2[i32(1)] = _S352;
-    node_12.min_2[i32(2)] = _S353;
-    node_12.index_28 = _S350.w;
-    var _S354 : f32 = (bitcast<f32>((_S351.y)));
-    var _S355 : f32 = (bitcast<f32>((_S351.z)));
-    node_12.max_2[i32(0)] = (bitcast<f32>((_S351.x)));
-    node_12.max_2[i32(1)] = _S354;
-    node_12.max_2[i32(2)] = _S355;
-    node_12.is_leaf_0 = _S351.w;
+    var _S346 : f32 = (bitcast<f32>((_S344.y)));
+    var _S347 : f32 = (bitcast<f32>((_S344.z)));
+    node_12.min_2[i32(0)] = (bitcast<f32>((_S344.x)));
+    node_12.min_2[i32(1)] = _S346;
+    node_12.min_2[i32(2)] = _S347;
+    node_12.index_28 = _S344.w;
+    var _S348 : f32 = (bitcast<f32>((_S345.y)));
+    var _S349 : f32 = (bitcast<f32>((_S345.z)));
+    node_12.max_2[i32(0)] = (bitcast<f32>((_S345.x)));
+    node_12.max_2[i32(1)] = _S348;
+    node_12.max_2[i32(2)] = _S349;
+    node_12.is_leaf_0 = _S345.w;
     return node_12;
 }
 
-fn entry_0( node_13 : InstanceNode_0,  ray_23 : Ray_0,  inverse_2 : vec3<f32>) -> f32
+fn entry_0( node_13 : InstanceNode_0,  ray_20 : Ray_0,  inverse_3 : vec3<f32>) -> f32
 {
-    var low_12 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_23.origin_1) * inverse_2;
-    var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_23.origin_1) * inverse_2;
-    var _S356 : f32 = max(ray_23.t_min_0, max_element_0(min(low_12, high_5)));
-    var _S357 : f32;
-    if(_S356 <= (min(ray_23.t_max_0, min_element_0(max(low_12, high_5)))))
+    var low_14 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_20.origin_1) * inverse_3;
+    var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_20.origin_1) * inverse_3;
+    var _S350 : f32 = max(ray_20.t_min_0, max_element_0(min(low_14, high_5)));
+    var _S351 : f32;
+    if(_S350 <= (min(ray_20.t_max_0, min_element_0(max(low_14, high_5)))))
     {
-        _S357 = _S356;
+        _S351 = _S350;
     }
     else
     {
-        _S357 = (bitcast<f32>(infinity_bits_0));
+        _S351 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S357;
+    return _S351;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u32) -> Hit_0
@@ -5579,26 +5509,26 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S358 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S358;
+        var _S352 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S352;
     }
-    var ray_24 : Ray_0 = (*given_0);
-    var nearest_5 : Hit_0 = miss_0();
+    var ray_21 : Ray_0 = (*given_0);
+    var nearest_3 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_5;
+        return nearest_3;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_24.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S359 : vec3<f32> = select(reciprocal_0(select(ray_24.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_21.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S353 : vec3<f32> = select(reciprocal_0(select(ray_21.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S360 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S361 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S354 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S355 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S361;
+    var is_leaf_2 : bool = _S355;
     var index_30 : u32 = u32(0);
-    var below_1 : u32 = _S360.index_28;
-    var nearest_6 : Hit_0 = nearest_5;
+    var below_1 : u32 = _S354.index_28;
+    var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
@@ -5607,16 +5537,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S362 : bool;
+            var _S356 : bool;
             if(is_done_1)
             {
-                _S362 = depth_1 > u32(0);
+                _S356 = depth_1 > u32(0);
             }
             else
             {
-                _S362 = !is_leaf_2;
+                _S356 = !is_leaf_2;
             }
-            if(_S362)
+            if(_S356)
             {
             }
             else
@@ -5627,25 +5557,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S363 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S364 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
-                is_done_1 = (entries_0[depth_2]) > (ray_24.t_max_0);
-                is_leaf_1 = _S364;
+                var _S357 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S358 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                is_done_1 = (entries_0[depth_2]) > (ray_21.t_max_0);
+                is_leaf_1 = _S358;
                 index_31 = stack_0[depth_2];
-                below_2 = _S363.index_28;
+                below_2 = _S357.index_28;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S365 : u32 = index_30 + u32(1);
-                var _S366 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S365);
-                var _S367 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S366, ray_24, _S359);
-                var to_right_0 : f32 = entry_0(_S367, ray_24, _S359);
+                var _S359 : u32 = index_30 + u32(1);
+                var _S360 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S359);
+                var _S361 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S360, ray_21, _S353);
+                var to_right_0 : f32 = entry_0(_S361, ray_21, _S353);
                 var is_left_4 : bool = to_left_0 <= to_right_0;
-                var _S368 : f32 = max(to_left_0, to_right_0);
+                var _S362 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S368 < INFINITY_0)
+                if(_S362 < INFINITY_0)
                 {
                     if(is_left_4)
                     {
@@ -5653,51 +5583,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
                     }
                     else
                     {
-                        index_31 = _S365;
+                        index_31 = _S359;
                     }
                     stack_0[depth_1] = index_31;
-                    entries_0[depth_1] = _S368;
+                    entries_0[depth_1] = _S362;
                     index_31 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_31 = depth_1;
                 }
-                var _S369 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S370 : u32;
+                var _S363 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S364 : u32;
                 if(is_left_4)
                 {
-                    _S370 = _S365;
+                    _S364 = _S359;
                 }
                 else
                 {
-                    _S370 = below_2;
+                    _S364 = below_2;
                 }
-                var _S371 : u32;
+                var _S365 : u32;
                 if(is_left_4)
                 {
-                    _S371 = _S366.index_28;
+                    _S365 = _S360.index_28;
                 }
                 else
                 {
-                    _S371 = _S367.index_28;
+                    _S365 = _S361.index_28;
                 }
-                var _S372 : u32;
+                var _S366 : u32;
                 if(is_left_4)
                 {
-                    _S372 = _S366.is_leaf_0;
+                    _S366 = _S360.is_leaf_0;
                 }
                 else
                 {
-                    _S372 = _S367.is_leaf_0;
+                    _S366 = _S361.is_leaf_0;
                 }
-                var _S373 : bool = _S372 != u32(0);
-                var _S374 : u32 = index_31;
-                is_done_1 = _S369;
-                is_leaf_1 = _S373;
-                index_31 = _S370;
-                below_2 = _S371;
-                depth_1 = _S374;
+                var _S367 : bool = _S366 != u32(0);
+                var _S368 : u32 = index_31;
+                is_done_1 = _S363;
+                is_leaf_1 = _S367;
+                index_31 = _S364;
+                below_2 = _S365;
+                depth_1 = _S368;
             }
             is_leaf_2 = is_leaf_1;
             index_30 = index_31;
@@ -5706,17 +5636,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         {
             break;
         }
-        var _S375 : Hit_0 = hit_in_0(below_2, &(ray_24));
-        var _S376 : Hit_0 = nearest_6;
-        if((_S375.t_0) < (nearest_6.t_0))
+        var _S369 : Hit_0 = hit_in_0(below_2, &(ray_21));
+        var _S370 : Hit_0 = nearest_4;
+        if((_S369.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S375.t_0) == (_S376.t_0))
+            if((_S369.t_0) == (_S370.t_0))
             {
-                is_leaf_1 = (_S375.instance_1) < (nearest_6.instance_1);
+                is_leaf_1 = (_S369.instance_1) < (nearest_4.instance_1);
             }
             else
             {
@@ -5725,100 +5655,100 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_1 : u3
         }
         if(is_leaf_1)
         {
-            ray_24.t_max_0 = _S375.t_0;
+            ray_21.t_max_0 = _S369.t_0;
             if(is_any_enough_0)
             {
-                return _S375;
+                return _S369;
             }
-            nearest_6 = _S375;
+            nearest_4 = _S369;
         }
         is_done_0 = true;
         below_1 = below_2;
         depth_0 = depth_1;
     }
-    return nearest_6;
+    return nearest_4;
 }
 
-fn WalkTracer_trace_0( ray_25 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_22 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S377 : Hit_0 = visit_0(&((*ray_25)), is_any_enough_1, u32(0));
-    return _S377;
+    var _S371 : Hit_0 = visit_0(&((*ray_22)), is_any_enough_1, u32(0));
+    return _S371;
 }
 
-fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_26 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
+fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_23 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S378 : Hit_0 = WalkTracer_trace_0(&((*ray_26)), is_shadow_ray_1);
-    return _S378;
+    var _S372 : Hit_0 = WalkTracer_trace_0(&((*ray_23)), is_shadow_ray_1);
+    return _S372;
 }
 
 fn goes_on_4( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
     var beyond_10 : u32 = u32(4294967295);
-    var _S379 : Ray_0 = (*at_10).ray_10;
-    var _S380 : Path_0 = (*at_10).path_7;
-    var _S381 : Inside_0 = (*at_10).shadow_inside_2;
-    var _S382 : bool = (*at_10).relocates_2;
-    var _S383 : bool = (*at_10).path_relocates_2;
-    var _S384 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S379), false, &(_S380), &(_S381), &(_S382), &(_S383), &(beyond_10));
-    (*at_10).ray_10 = _S379;
-    (*at_10).path_7 = _S380;
-    (*at_10).shadow_inside_2 = _S381;
-    (*at_10).relocates_2 = _S382;
-    (*at_10).path_relocates_2 = _S383;
-    var _S385 : bool = goes_on_from_0(&((*at_10)), _S384, beyond_10, &((*sample_13)));
-    return _S385;
+    var _S373 : Ray_0 = (*at_10).ray_10;
+    var _S374 : Path_0 = (*at_10).path_7;
+    var _S375 : Inside_0 = (*at_10).shadow_inside_2;
+    var _S376 : bool = (*at_10).relocates_2;
+    var _S377 : bool = (*at_10).path_relocates_2;
+    var _S378 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S373), false, &(_S374), &(_S375), &(_S376), &(_S377), &(beyond_10));
+    (*at_10).ray_10 = _S373;
+    (*at_10).path_7 = _S374;
+    (*at_10).shadow_inside_2 = _S375;
+    (*at_10).relocates_2 = _S376;
+    (*at_10).path_relocates_2 = _S377;
+    var _S379 : bool = goes_on_from_0(&((*at_10)), _S378, beyond_10, &((*sample_13)));
+    return _S379;
 }
 
-fn Walker_arrives_0( this_47 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_11 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
+fn Walker_arrives_0( this_49 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_11 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
 {
     if(Hit_is_miss_0(hit_15))
     {
-        (*light_9) = (*light_9) + (*this_47).light_5;
+        (*light_9) = (*light_9) + (*this_49).light_5;
     }
     return false;
 }
 
 fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S386 : Hit_0 = miss_0();
+    var _S380 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
-    var _S387 : bool = (*at_11).is_shadow_ray_0;
+    var _S381 : bool = (*at_11).is_shadow_ray_0;
     var hit_16 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S388 : Ray_0 = (*at_11).ray_10;
-        var _S389 : Path_0 = (*at_11).path_7;
-        var _S390 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S391 : bool = (*at_11).relocates_2;
-        var _S392 : bool = (*at_11).path_relocates_2;
-        var _S393 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S388), _S387, &(_S389), &(_S390), &(_S391), &(_S392), &(beyond_12));
-        (*at_11).ray_10 = _S388;
-        (*at_11).path_7 = _S389;
-        (*at_11).shadow_inside_2 = _S390;
-        (*at_11).relocates_2 = _S391;
-        (*at_11).path_relocates_2 = _S392;
-        if(_S387)
+        var _S382 : Ray_0 = (*at_11).ray_10;
+        var _S383 : Path_0 = (*at_11).path_7;
+        var _S384 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S385 : bool = (*at_11).relocates_2;
+        var _S386 : bool = (*at_11).path_relocates_2;
+        var _S387 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S382), _S381, &(_S383), &(_S384), &(_S385), &(_S386), &(beyond_12));
+        (*at_11).ray_10 = _S382;
+        (*at_11).path_7 = _S383;
+        (*at_11).shadow_inside_2 = _S384;
+        (*at_11).relocates_2 = _S385;
+        (*at_11).path_relocates_2 = _S386;
+        if(_S381)
         {
-            var _S394 : vec3<f32> = (*sample_14).light_6;
-            var _S395 : bool = Walker_arrives_0(&((*at_11)), _S393, beyond_12, &(_S394));
-            (*sample_14).light_6 = _S394;
-            (*at_11).is_shadow_ray_0 = _S395;
-            if(_S395)
+            var _S388 : vec3<f32> = (*sample_14).light_6;
+            var _S389 : bool = Walker_arrives_0(&((*at_11)), _S387, beyond_12, &(_S388));
+            (*sample_14).light_6 = _S388;
+            (*at_11).is_shadow_ray_0 = _S389;
+            if(_S389)
             {
                 return true;
             }
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_16 = _S393;
+        hit_16 = _S387;
     }
     else
     {
-        hit_16 = _S386;
+        hit_16 = _S380;
     }
-    var _S396 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
-    return _S396;
+    var _S390 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
+    return _S390;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5828,11 +5758,11 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S397 : Sampler_0;
-    _S397.seed_1 = seed_3;
-    _S397.pixel_0 = pixel_1;
-    _S397.sample_0 = sample_15;
-    return _S397;
+    var _S391 : Sampler_0;
+    _S391.seed_1 = seed_3;
+    _S391.pixel_0 = pixel_1;
+    _S391.sample_0 = sample_15;
+    return _S391;
 }
 
 struct Item_0
@@ -5847,14 +5777,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_6 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S398 : Item_0;
-    _S398.traces_0 = traces_1;
-    _S398.kind_2 = kind_3;
-    _S398.at_12 = at_13;
-    _S398.place_5 = place_6;
-    _S398.slot_0 = slot_1;
-    _S398.sampler_3 = sampler_4;
-    return _S398;
+    var _S392 : Item_0;
+    _S392.traces_0 = traces_1;
+    _S392.kind_2 = kind_3;
+    _S392.at_12 = at_13;
+    _S392.place_5 = place_6;
+    _S392.slot_0 = slot_1;
+    _S392.sampler_3 = sampler_4;
+    return _S392;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5881,18 +5811,18 @@ fn place_of_chosen_0( number_2 : u32) -> u32
     return u32(524304) + number_2;
 }
 
-fn Item_key_0( this_48 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
+fn Item_key_0( this_50 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
 {
-    var face_8 : vec4<u32> = cell_row_0(u32(1), this_48.place_5);
+    var face_8 : vec4<u32> = cell_row_0(u32(1), this_50.place_5);
     (*rank_3) = face_8.z;
-    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_48.place_5).xyz));
+    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_50.place_5).xyz));
 }
 
-fn Item_key_1( this_49 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
+fn Item_key_1( this_51 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
 {
-    var face_9 : vec4<u32> = cell_row_0(u32(1), this_49.place_5);
+    var face_9 : vec4<u32> = cell_row_0(u32(1), this_51.place_5);
     (*rank_4) = face_9.z;
-    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_49.place_5).xyz));
+    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_51.place_5).xyz));
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -5908,58 +5838,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S399 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S399;
+        var _S393 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S393;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S400 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S400);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S400 + real_time_0.number_0) & (u32(1))));
+    var _S394 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S394);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S394 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S401 : vec2<u32> = vec2<u32>(u32(5));
-    var _S402 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S401 - vec2<u32>(u32(1))) / _S401;
-    return _S402;
+    var _S395 : vec2<u32> = vec2<u32>(u32(5));
+    var _S396 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S395 - vec2<u32>(u32(1))) / _S395;
+    return _S396;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S403 : u32 = square_1 % columns_1;
-    var _S404 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S403, _S404);
-    var _S405 : vec2<u32> = vec2<u32>(u32(5));
-    var _S406 : vec2<u32> = at_15 * _S405;
-    var _S407 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S405;
-    return min(_S406 + _S407, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S397 : u32 = square_1 % columns_1;
+    var _S398 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S397, _S398);
+    var _S399 : vec2<u32> = vec2<u32>(u32(5));
+    var _S400 : vec2<u32> = at_15 * _S399;
+    var _S401 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S399;
+    return min(_S400 + _S401, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S408 : bool;
+    var _S402 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S408 = (at_16.x) < i32(params_0.width_0);
+        _S402 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S408 = false;
+        _S402 = false;
     }
-    if(_S408)
+    if(_S402)
     {
-        _S408 = (at_16.y) < i32(params_0.height_0);
+        _S402 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S408 = false;
+        _S402 = false;
     }
-    return _S408;
+    return _S402;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -5981,23 +5911,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S409 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S410 : bool = number_4 < _S409;
-        item_0.traces_0 = _S410;
-        if(_S410)
+        var _S403 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S404 : bool = number_4 < _S403;
+        item_0.traces_0 = _S404;
+        if(_S404)
         {
-            var _S411 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_5 = _S411;
+            var _S405 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_5 = _S405;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_5 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_1(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S412 : u32 = number_4 - cells_2;
-    var _S413 : vec2<u32> = pixel_that_traces_0(_S412);
-    item_0.at_12 = _S413;
-    var square_3 : u32 = _S412 - pixels_1;
+    var _S406 : u32 = number_4 - cells_2;
+    var _S407 : vec2<u32> = pixel_that_traces_0(_S406);
+    item_0.at_12 = _S407;
+    var square_3 : u32 = _S406 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6026,133 +5956,133 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S414 : u32;
+    var _S408 : u32;
     if(is_again_0)
     {
-        _S414 = u32(3);
+        _S408 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S414 = u32(2);
+            _S408 = u32(2);
         }
         else
         {
-            _S414 = u32(1);
+            _S408 = u32(1);
         }
     }
-    item_0.kind_2 = _S414;
+    item_0.kind_2 = _S408;
     if(is_square_0)
     {
-        var _S415 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S415;
+        var _S409 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S409;
     }
-    var _S416 : bool;
+    var _S410 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S414 = real_time_0.again_0;
+            _S408 = real_time_0.again_0;
         }
         else
         {
-            _S414 = count_7;
+            _S408 = count_7;
         }
-        _S416 = square_4 < _S414;
+        _S410 = square_4 < _S408;
     }
     else
     {
-        _S416 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S410 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S416;
+    item_0.traces_0 = _S410;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S414 = u32(2);
+            _S408 = u32(2);
         }
         else
         {
-            _S414 = (frame_0 & (u32(1)));
+            _S408 = (frame_0 & (u32(1)));
         }
-        _S414 = place_of_square_0(_S414, square_4);
+        _S408 = place_of_square_0(_S408, square_4);
     }
     else
     {
-        _S414 = index_of_0(item_0.at_12);
+        _S408 = index_of_0(item_0.at_12);
     }
-    item_0.place_5 = _S414;
+    item_0.place_5 = _S408;
     if(is_square_0)
     {
-        _S414 = real_time_0.pixels_0 + square_4;
+        _S408 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S414 = item_0.place_5;
+        _S408 = item_0.place_5;
     }
-    item_0.slot_0 = _S414;
-    var _S417 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S408;
+    var _S411 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S414 = u32(3266489909);
+        _S408 = u32(3266489909);
     }
     else
     {
-        _S414 = u32(2654435769);
+        _S408 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S417 ^ (_S414)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S411 ^ (_S408)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_7 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
-    var _S418 : Sample_0;
-    _S418.direct_0 = direct_1;
-    _S418.light_6 = light_10;
-    _S418.is_shown_0 = is_shown_1;
-    _S418.albedo_0 = albedo_1;
-    _S418.normal_4 = normal_5;
-    _S418.place_3 = place_7;
-    _S418.instance_8 = instance_14;
-    return _S418;
+    var _S412 : Sample_0;
+    _S412.direct_0 = direct_1;
+    _S412.light_6 = light_10;
+    _S412.is_shown_0 = is_shown_1;
+    _S412.albedo_0 = albedo_1;
+    _S412.normal_4 = normal_5;
+    _S412.place_3 = place_7;
+    _S412.instance_8 = instance_14;
+    return _S412;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S419 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S419, _S419, false, _S419, _S419, _S419, u32(4294967295));
+    var _S413 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S413, _S413, false, _S413, _S413, _S413, u32(4294967295));
 }
 
-fn Item_is_cell_0( this_50 : Item_0) -> bool
+fn Item_is_cell_0( this_52 : Item_0) -> bool
 {
-    return (this_50.kind_2) == u32(0);
+    return (this_52.kind_2) == u32(0);
 }
 
-fn Key_voxel_0( this_51 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
+fn Key_voxel_0( this_53 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S420 : u32 = Key_level_0(this_51);
-    var bits_4 : u32 = ((u32(1) << (_S420))) - u32(1);
-    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_51)))))));
-    return (((this_51.cube_0) << (vec3<u32>(u32(i32(_S420)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S420))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S420)))) & (bits_4))));
+    var _S414 : u32 = Key_level_0(this_53);
+    var bits_4 : u32 = ((u32(1) << (_S414))) - u32(1);
+    var place_8 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_53)))))));
+    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S414)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S414))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S414)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S421 : Path_0;
-    _S421.sampler_0 = sampler_5;
-    _S421.bounce_0 = bounce_3;
-    _S421.event_0 = event_2;
-    _S421.kinds_0 = kinds_1;
-    _S421.scattered_0 = scattered_4;
-    _S421.beta_0 = beta_1;
-    _S421.pdf_1 = pdf_12;
-    _S421.normal_0 = normal_6;
-    _S421.selection_0 = selection_4;
-    _S421.passed_t_0 = passed_t_1;
-    _S421.inside_0 = inside_6;
-    _S421.is_clipped_0 = is_clipped_1;
-    return _S421;
+    var _S415 : Path_0;
+    _S415.sampler_0 = sampler_5;
+    _S415.bounce_0 = bounce_3;
+    _S415.event_0 = event_2;
+    _S415.kinds_0 = kinds_1;
+    _S415.scattered_0 = scattered_4;
+    _S415.beta_0 = beta_1;
+    _S415.pdf_1 = pdf_12;
+    _S415.normal_0 = normal_6;
+    _S415.selection_0 = selection_4;
+    _S415.passed_t_0 = passed_t_1;
+    _S415.inside_0 = inside_6;
+    _S415.is_clipped_0 = is_clipped_1;
+    return _S415;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6162,22 +6092,22 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S422 : f32 = z_1.z;
-    var sign_1 : f32;
-    if(_S422 < 0.0f)
+    var _S416 : f32 = z_1.z;
+    var sign_0 : f32;
+    if(_S416 < 0.0f)
     {
-        sign_1 = -1.0f;
+        sign_0 = -1.0f;
     }
     else
     {
-        sign_1 = 1.0f;
+        sign_0 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_1 + _S422);
-    var _S423 : f32 = z_1.x;
-    var _S424 : f32 = z_1.y;
-    var b_6 : f32 = _S423 * _S424 * a_6;
-    (*x_10) = vec3<f32>(1.0f + sign_1 * _S423 * _S423 * a_6, sign_1 * b_6, - sign_1 * _S423);
-    (*y_5) = vec3<f32>(b_6, sign_1 + _S424 * _S424 * a_6, - _S424);
+    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S416);
+    var _S417 : f32 = z_1.x;
+    var _S418 : f32 = z_1.y;
+    var b_6 : f32 = _S417 * _S418 * a_6;
+    (*x_10) = vec3<f32>(1.0f + sign_0 * _S417 * _S417 * a_6, sign_0 * b_6, - sign_0 * _S417);
+    (*y_5) = vec3<f32>(b_6, sign_0 + _S418 * _S418 * a_6, - _S418);
     return;
 }
 
@@ -6188,41 +6118,41 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S425 : f32 = local_5.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S425);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S425);
+    var _S419 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S419);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S419);
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_8 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_8 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
 {
-    var _S426 : Surface_0;
-    _S426.origin_3 = origin_11;
-    _S426.normal_2 = normal_8;
-    _S426.face_1 = face_10;
-    _S426.instance_3 = instance_15;
-    return _S426;
+    var _S420 : Surface_0;
+    _S420.origin_3 = origin_13;
+    _S420.normal_2 = normal_8;
+    _S420.face_1 = face_10;
+    _S420.instance_3 = instance_15;
+    return _S420;
 }
 
-fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_11 : Path_0,  ray_24 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S427 : Walker_0;
-    _S427.path_7 = path_11;
-    _S427.ray_10 = ray_27;
-    _S427.is_shadow_ray_0 = is_shadow_ray_2;
-    _S427.light_5 = light_11;
-    _S427.direction_25 = direction_28;
-    _S427.path_origin_2 = path_origin_3;
-    _S427.shadow_inside_2 = shadow_inside_4;
-    _S427.boundaries_0 = boundaries_1;
-    _S427.relocates_2 = relocates_4;
-    _S427.path_relocates_2 = path_relocates_4;
-    _S427.camera_ray_0 = camera_ray_1;
-    _S427.way_2 = way_6;
-    _S427.has_shown_0 = has_shown_1;
-    _S427.asks_cache_0 = asks_cache_1;
-    _S427.life_0 = life_2;
-    _S427.is_at_cell_0 = is_at_cell_1;
-    return _S427;
+    var _S421 : Walker_0;
+    _S421.path_7 = path_11;
+    _S421.ray_10 = ray_24;
+    _S421.is_shadow_ray_0 = is_shadow_ray_2;
+    _S421.light_5 = light_11;
+    _S421.direction_25 = direction_28;
+    _S421.path_origin_2 = path_origin_3;
+    _S421.shadow_inside_2 = shadow_inside_4;
+    _S421.boundaries_0 = boundaries_1;
+    _S421.relocates_2 = relocates_4;
+    _S421.path_relocates_2 = path_relocates_4;
+    _S421.camera_ray_0 = camera_ray_1;
+    _S421.way_2 = way_6;
+    _S421.has_shown_0 = has_shown_1;
+    _S421.asks_cache_0 = asks_cache_1;
+    _S421.life_0 = life_2;
+    _S421.is_at_cell_0 = is_at_cell_1;
+    return _S421;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
@@ -6230,7 +6160,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var face_11 : u32 = ((key_3.face_and_level_0) & (u32(7)));
     var axis_6 : u32 = (face_11 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S428 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S422 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6247,17 +6177,17 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S429 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S429.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S429.grid_from_world_0.translation_0), _S428, face_11, _S428 + on_face_1));
-    var normal_9 : vec3<f32> = world_normal_0(_S429, face_11);
+    var _S423 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S423.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S423.grid_from_world_0.translation_0), _S422, face_11, _S422 + on_face_1));
+    var normal_9 : vec3<f32> = world_normal_0(_S423, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S430 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S430));
-    path_12.pdf_1 = _S430;
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_12, normal_9);
+    var _S424 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S424));
+    path_12.pdf_1 = _S424;
+    var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_14, normal_9);
     path_12.selection_0 = Lights_selection_0(receiver_20);
     path_12.normal_0 = normal_9;
-    var surface_5 : Surface_0 = Surface_x24init_0(origin_12, normal_9, face_11, key_3.instance_9);
+    var surface_5 : Surface_0 = Surface_x24init_0(origin_14, normal_9, face_11, key_3.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -6265,8 +6195,8 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_28 : Ray_0 = ray_from_0(origin_12, direction_29);
-    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_12, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_25 : Ray_0 = ray_from_0(origin_14, direction_29);
+    return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, origin_14, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 struct CameraFrame_0
@@ -6283,16 +6213,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S431 : CameraFrame_0;
-    _S431.lens_1 = lens_2;
-    _S431.eye_2 = eye_3;
-    _S431.corner_2 = corner_3;
-    _S431.pixel_x_1 = pixel_x_2;
-    _S431.pixel_y_1 = pixel_y_2;
-    _S431.lens_x_1 = lens_x_2;
-    _S431.lens_y_1 = lens_y_2;
-    _S431.blades_1 = blades_2;
-    return _S431;
+    var _S425 : CameraFrame_0;
+    _S425.lens_1 = lens_2;
+    _S425.eye_2 = eye_3;
+    _S425.corner_2 = corner_3;
+    _S425.pixel_x_1 = pixel_x_2;
+    _S425.pixel_y_1 = pixel_y_2;
+    _S425.lens_x_1 = lens_x_2;
+    _S425.lens_y_1 = lens_y_2;
+    _S425.blades_1 = blades_2;
+    return _S425;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6302,25 +6232,25 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn Item_asks_cache_0( this_52 : Item_0) -> bool
+fn Item_asks_cache_0( this_54 : Item_0) -> bool
 {
-    var _S432 : bool;
-    if(Item_is_cell_0(this_52))
+    var _S426 : bool;
+    if(Item_is_cell_0(this_54))
     {
-        _S432 = true;
+        _S426 = true;
     }
     else
     {
-        if((this_52.kind_2) == u32(1))
+        if((this_54.kind_2) == u32(1))
         {
-            _S432 = has_0(u32(1));
+            _S426 = has_0(u32(1));
         }
         else
         {
-            _S432 = false;
+            _S426 = false;
         }
     }
-    return _S432;
+    return _S426;
 }
 
 struct Perspective_0
@@ -6333,12 +6263,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S433 : Perspective_0;
-    _S433.eye_4 = eye_5;
-    _S433.corner_4 = corner_5;
-    _S433.pixel_x_3 = pixel_x_4;
-    _S433.pixel_y_3 = pixel_y_4;
-    return _S433;
+    var _S427 : Perspective_0;
+    _S427.eye_4 = eye_5;
+    _S427.corner_4 = corner_5;
+    _S427.pixel_x_3 = pixel_x_4;
+    _S427.pixel_y_3 = pixel_y_4;
+    return _S427;
 }
 
 struct Axes_0
@@ -6350,11 +6280,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S434 : Axes_0;
-    _S434.forward_0 = forward_1;
-    _S434.right_3 = right_4;
-    _S434.up_0 = up_1;
-    return _S434;
+    var _S428 : Axes_0;
+    _S428.forward_0 = forward_1;
+    _S428.right_3 = right_4;
+    _S428.up_0 = up_1;
+    return _S428;
 }
 
 struct ThinLens_0
@@ -6367,28 +6297,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S435 : ThinLens_0;
-    _S435.perspective_0 = perspective_1;
-    _S435.lens_x_3 = lens_x_4;
-    _S435.lens_y_3 = lens_y_4;
-    _S435.blades_3 = blades_4;
-    return _S435;
+    var _S429 : ThinLens_0;
+    _S429.perspective_0 = perspective_1;
+    _S429.lens_x_3 = lens_x_4;
+    _S429.lens_y_3 = lens_y_4;
+    _S429.blades_3 = blades_4;
+    return _S429;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_7 : f32 = 2.0f * square_5.x - 1.0f;
     var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S436 : bool;
+    var _S430 : bool;
     if(a_7 == 0.0f)
     {
-        _S436 = b_7 == 0.0f;
+        _S430 = b_7 == 0.0f;
     }
     else
     {
-        _S436 = false;
+        _S430 = false;
     }
-    if(_S436)
+    if(_S430)
     {
         return vec2<f32>(0.0f);
     }
@@ -6415,7 +6345,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S437 : f32 = abs(radius_4);
+    var _S431 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6424,7 +6354,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S437, radius_4);
+    return vec2<f32>(_S431, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6442,16 +6372,16 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S438 : f32 = from_0.y;
-    var _S439 : f32 = from_0.x;
-    return vec2<f32>(_S438 + (to_0.y - _S438) * share_7, _S439 + (to_0.x - _S439) * share_7) * vec2<f32>(radius_5);
+    var _S432 : f32 = from_0.y;
+    var _S433 : f32 = from_0.x;
+    return vec2<f32>(_S432 + (to_0.y - _S432) * share_7, _S433 + (to_0.x - _S433) * share_7) * vec2<f32>(radius_5);
 }
 
-fn ThinLens_ray_0( this_53 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_55 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_9 : vec2<f32> = place_in_aperture_0(this_53.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_53.lens_x_3 * vec3<f32>(place_9.x) + this_53.lens_y_3 * vec3<f32>(place_9.y);
-    return ray_from_0(this_53.perspective_0.eye_4 + offset_1, normalize_vector_0(this_53.perspective_0.corner_4 + this_53.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_53.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_9 : vec2<f32> = place_in_aperture_0(this_55.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_55.lens_x_3 * vec3<f32>(place_9.x) + this_55.lens_y_3 * vec3<f32>(place_9.y);
+    return ray_from_0(this_55.perspective_0.eye_4 + offset_1, normalize_vector_0(this_55.perspective_0.corner_4 + this_55.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_55.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -6464,17 +6394,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S440 : Orthographic_0;
-    _S440.corner_6 = corner_7;
-    _S440.pixel_x_5 = pixel_x_6;
-    _S440.pixel_y_5 = pixel_y_6;
-    _S440.forward_2 = forward_3;
-    return _S440;
+    var _S434 : Orthographic_0;
+    _S434.corner_6 = corner_7;
+    _S434.pixel_x_5 = pixel_x_6;
+    _S434.pixel_y_5 = pixel_y_6;
+    _S434.forward_2 = forward_3;
+    return _S434;
 }
 
-fn Orthographic_ray_0( this_54 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_56 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_54.corner_6 + this_54.pixel_x_5 * vec3<f32>(position_4.x) + this_54.pixel_y_5 * vec3<f32>(position_4.y), this_54.forward_2);
+    return ray_from_0(this_56.corner_6 + this_56.pixel_x_5 * vec3<f32>(position_4.x) + this_56.pixel_y_5 * vec3<f32>(position_4.y), this_56.forward_2);
 }
 
 struct Panorama_0
@@ -6487,26 +6417,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S441 : Panorama_0;
-    _S441.eye_6 = eye_7;
-    _S441.axes_1 = axes_2;
-    _S441.inverse_size_0 = inverse_size_1;
-    _S441.half_eye_distance_0 = half_eye_distance_1;
-    return _S441;
+    var _S435 : Panorama_0;
+    _S435.eye_6 = eye_7;
+    _S435.axes_1 = axes_2;
+    _S435.inverse_size_0 = inverse_size_1;
+    _S435.half_eye_distance_0 = half_eye_distance_1;
+    return _S435;
 }
 
-fn Panorama_ray_0( this_55 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_57 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_55.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_57.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_55.half_eye_distance_0;
+        side_4 = this_57.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_55.half_eye_distance_0;
+        side_4 = - this_57.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -6517,11 +6447,11 @@ fn Panorama_ray_0( this_55 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_55.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_57.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S442 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S443 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_55.eye_6 + (this_55.axes_1.forward_0 * _S443 - this_55.axes_1.right_3 * _S442) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_55.axes_1.forward_0 * _S442 + this_55.axes_1.right_3 * _S443) * vec3<f32>(height_2.x) + this_55.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S436 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S437 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_57.eye_6 + (this_57.axes_1.forward_0 * _S437 - this_57.axes_1.right_3 * _S436) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_57.axes_1.forward_0 * _S436 + this_57.axes_1.right_3 * _S437) * vec3<f32>(height_2.x) + this_57.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6534,20 +6464,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S444 : Fisheye_0;
-    _S444.eye_8 = eye_9;
-    _S444.axes_3 = axes_4;
-    _S444.middle_1 = middle_2;
-    _S444.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S444;
+    var _S438 : Fisheye_0;
+    _S438.eye_8 = eye_9;
+    _S438.axes_3 = axes_4;
+    _S438.middle_1 = middle_2;
+    _S438.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S438;
 }
 
-fn Fisheye_ray_0( this_56 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_58 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_12 : f32 = position_6.x - this_56.middle_1.x;
-    var y_7 : f32 = position_6.y - this_56.middle_1.y;
+    var x_12 : f32 = position_6.x - this_58.middle_1.x;
+    var y_7 : f32 = position_6.y - this_58.middle_1.y;
     var radius_6 : f32 = square_root_0(x_12 * x_12 + y_7 * y_7);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_56.turns_per_pixel_0, 1.0f));
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_58.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_6 > 0.0f)
     {
@@ -6557,35 +6487,35 @@ fn Fisheye_ray_0( this_56 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_56.eye_8, normalize_vector_0(this_56.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_56.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_56.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
+    return ray_from_0(this_58.eye_8, normalize_vector_0(this_58.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_58.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_58.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
 }
 
-fn Perspective_ray_0( this_57 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_59 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_57.eye_4, normalize_vector_0(this_57.corner_4 + this_57.pixel_x_3 * vec3<f32>(position_7.x) + this_57.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_59.eye_4, normalize_vector_0(this_59.corner_4 + this_59.pixel_x_3 * vec3<f32>(position_7.x) + this_59.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_58 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_60 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_58.eye_2, this_58.corner_2, this_58.pixel_x_1, this_58.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_58.corner_2, this_58.pixel_x_1, this_58.pixel_y_1);
-    switch(this_58.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_60.eye_2, this_60.corner_2, this_60.pixel_x_1, this_60.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_60.corner_2, this_60.pixel_x_1, this_60.pixel_y_1);
+    switch(this_60.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_58.lens_x_1, this_58.lens_y_1, this_58.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_60.lens_x_1, this_60.lens_y_1, this_60.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_58.corner_2, this_58.pixel_x_1, this_58.pixel_y_1, this_58.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_60.corner_2, this_60.pixel_x_1, this_60.pixel_y_1, this_60.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_58.eye_2, axes_5, this_58.lens_x_1.xy, this_58.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_60.eye_2, axes_5, this_60.lens_x_1.xy, this_60.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_58.eye_2, axes_5, this_58.lens_x_1.xy, this_58.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_60.eye_2, axes_5, this_60.lens_x_1.xy, this_60.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -6602,9 +6532,9 @@ fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_29 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
-    var _S445 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_26 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
+    var _S439 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_26, false, _S439, _S439, _S439, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6612,32 +6542,32 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn Item_start_0( this_59 : Item_0) -> Walker_0
+fn Item_start_0( this_61 : Item_0) -> Walker_0
 {
-    if(Item_is_cell_0(this_59))
+    if(Item_is_cell_0(this_61))
     {
         var rank_7 : u32;
-        var key_4 : Key_0 = Item_key_0(this_59, &(rank_7));
-        var _S446 : Walker_0 = at_cell_0(key_4, rank_7, this_59.sampler_3);
-        return _S446;
+        var key_4 : Key_0 = Item_key_0(this_61, &(rank_7));
+        var _S440 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
+        return _S440;
     }
-    var _S447 : CameraFrame_0 = FrameParams_camera_0();
+    var _S441 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
-    if((this_59.kind_2) == u32(3))
+    if((this_61.kind_2) == u32(3))
     {
         camera_2 = camera_before_0();
     }
     else
     {
-        camera_2 = _S447;
+        camera_2 = _S441;
     }
-    return at_camera_0(this_59.at_12, camera_2, this_59.sampler_3, Item_asks_cache_0(this_59));
+    return at_camera_0(this_61.at_12, camera_2, this_61.sampler_3, Item_asks_cache_0(this_61));
 }
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
 {
-    var _S448 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S448.x) & (u32(1023)))) | (((((u32(_S448.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S448.z) & (u32(1023)))) << (u32(20))))));
+    var _S442 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S442.x) & (u32(1023)))) | (((((u32(_S442.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S442.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
@@ -6648,17 +6578,17 @@ fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
 
 fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 {
-    var _S449 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S450 : u32;
+    var _S443 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S444 : u32;
     if(sample_16.is_shown_0)
     {
-        _S450 = u32(1073741824);
+        _S444 = u32(1073741824);
     }
     else
     {
-        _S450 = u32(0);
+        _S444 = u32(0);
     }
-    var normal_11 : u32 = (_S449 | (_S450));
+    var normal_11 : u32 = (_S443 | (_S444));
     set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
     set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
     set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
@@ -6671,33 +6601,33 @@ fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S451 : f32;
+    var _S445 : f32;
     if(sample_17.is_shown_0)
     {
-        _S451 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S445 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S451 = 0.0f;
+        _S445 = 0.0f;
     }
-    return _S451;
+    return _S445;
 }
 
-fn Item_end_0( this_60 : Item_0,  sample_18 : Sample_0)
+fn Item_end_0( this_62 : Item_0,  sample_18 : Sample_0)
 {
-    if(Item_is_cell_0(this_60))
+    if(Item_is_cell_0(this_62))
     {
-        set_cell_row_0(u32(3), this_60.place_5, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
+        set_cell_row_0(u32(3), this_62.place_5, vec4<u32>((bitcast<vec3<u32>>((sample_18.light_6))), u32(1)));
     }
     else
     {
-        if((this_60.kind_2) == u32(1))
+        if((this_62.kind_2) == u32(1))
         {
-            store_sample_0(this_60.place_5, sample_18);
+            store_sample_0(this_62.place_5, sample_18);
         }
         else
         {
-            memory_rows_0[this_60.place_5] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
+            memory_rows_0[this_62.place_5] = vec4<u32>((bitcast<vec3<u32>>((sample_18.place_3))), (bitcast<u32>((light_on_0(sample_18)))));
         }
     }
     return;
@@ -6711,8 +6641,8 @@ fn follow_0( item_1 : Item_0)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S452 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S452;
+        var _S446 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S446;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6728,8 +6658,8 @@ fn follow_0( item_1 : Item_0)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S453 : bool = goes_on_5(&(at_18), &(sample_19));
-            is_under_way_0 = _S453;
+            var _S447 : bool = goes_on_5(&(at_18), &(sample_19));
+            is_under_way_0 = _S447;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6746,8 +6676,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S454 : Item_0 = item_of_0(id_0.x);
-    follow_0(_S454);
+    var _S448 : Item_0 = item_of_0(id_0.x);
+    follow_0(_S448);
     return;
 }
 
@@ -6757,13 +6687,13 @@ fn trace_left(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S455 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
-    var number_5 : u32 = _S455 + id_1.x;
-    var _S456 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
-    if(number_5 < _S456)
+    var _S449 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
+    var number_5 : u32 = _S449 + id_1.x;
+    var _S450 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
+    if(number_5 < _S450)
     {
-        var _S457 : Item_0 = item_of_0(rest_0[number_5]);
-        follow_0(_S457);
+        var _S451 : Item_0 = item_of_0(rest_0[number_5]);
+        follow_0(_S451);
     }
     return;
 }
@@ -6774,8 +6704,8 @@ fn trace_before(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S458 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
-    follow_0(_S458);
+    var _S452 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
+    follow_0(_S452);
     return;
 }
 
@@ -6789,18 +6719,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S459 : Lit_0;
-    _S459.paths_0 = paths_1;
-    _S459.light_12 = light_13;
-    _S459.shaded_0 = shaded_1;
-    _S459.moments_0 = moments_1;
-    return _S459;
+    var _S453 : Lit_0;
+    _S453.paths_0 = paths_1;
+    _S453.light_12 = light_13;
+    _S453.shaded_0 = shaded_1;
+    _S453.moments_0 = moments_1;
+    return _S453;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S460 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S460, _S460, _S460);
+    var _S454 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S454, _S454, _S454);
 }
 
 struct Memory_0
@@ -6817,22 +6747,22 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_13 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S461 : Memory_0;
-    _S461.lit_0 = lit_1;
-    _S461.looks_0 = looks_1;
-    _S461.direct_2 = direct_3;
-    _S461.albedo_2 = albedo_3;
-    _S461.normal_12 = normal_13;
-    _S461.place_10 = place_11;
-    _S461.roughness_1 = roughness_2;
-    _S461.coverage_0 = coverage_1;
-    return _S461;
+    var _S455 : Memory_0;
+    _S455.lit_0 = lit_1;
+    _S455.looks_0 = looks_1;
+    _S455.direct_2 = direct_3;
+    _S455.albedo_2 = albedo_3;
+    _S455.normal_12 = normal_13;
+    _S455.place_10 = place_11;
+    _S455.roughness_1 = roughness_2;
+    _S455.coverage_0 = coverage_1;
+    return _S455;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S462 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S462, _S462, _S462, _S462, 0.0f, 0.0f);
+    var _S456 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S456, _S456, _S456, _S456, 0.0f, 0.0f);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -6850,21 +6780,21 @@ fn high_half_0( word_10 : u32) -> f32
     return unpack2x16float(word_10).y;
 }
 
-fn Lit_products_0( this_61 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
+fn Lit_products_0( this_63 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 {
-    var l_0 : f32 = luminance_0(this_61.light_12);
+    var l_0 : f32 = luminance_0(this_63.light_12);
     var a_8 : f32 = luminance_0(kept_0);
     return vec3<f32>(l_0 * l_0, l_0 * a_8, a_8 * a_8);
 }
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S463 : u32 = words_3.x;
-    var _S464 : u32 = words_3.y;
-    var _S465 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S463), high_half_0(_S463), low_half_0(_S464)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S465;
-    var _S466 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S465, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S464), low_half_0(_S466), high_half_0(_S466)));
+    var _S457 : u32 = words_3.x;
+    var _S458 : u32 = words_3.y;
+    var _S459 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S457), high_half_0(_S457), low_half_0(_S458)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S459;
+    var _S460 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S459, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S458), low_half_0(_S460), high_half_0(_S460)));
     return lit_2;
 }
 
@@ -6888,24 +6818,24 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S467 : u32 = seen_0.x;
-    var _S468 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S467), high_half_0(_S467), low_half_0(_S468));
-    var _S469 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S468), low_half_0(_S469), high_half_0(_S469));
+    var _S461 : u32 = seen_0.x;
+    var _S462 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S461), high_half_0(_S461), low_half_0(_S462));
+    var _S463 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S462), low_half_0(_S463), high_half_0(_S463));
     memory_0.normal_12 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S470 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S470);
-    memory_0.coverage_0 = low_half_0(_S470);
+    var _S464 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S464);
+    memory_0.coverage_0 = low_half_0(_S464);
     return memory_0;
 }
 
-fn Memory_look_anew_0( this_62 : ptr<function, Memory_0>)
+fn Memory_look_anew_0( this_64 : ptr<function, Memory_0>)
 {
-    (*this_62).looks_0 = 0.0f;
-    (*this_62).coverage_0 = 0.0f;
-    (*this_62).roughness_1 = 0.0f;
+    (*this_64).looks_0 = 0.0f;
+    (*this_64).coverage_0 = 0.0f;
+    (*this_64).roughness_1 = 0.0f;
     return;
 }
 
@@ -6917,9 +6847,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S471 : u32 = light_16.y;
-    var _S472 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S471), vec3<f32>(low_half_0(_S472), high_half_0(_S472), low_half_0(_S471)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S465 : u32 = light_16.y;
+    var _S466 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S465), vec3<f32>(low_half_0(_S466), high_half_0(_S466), low_half_0(_S465)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -6953,59 +6883,59 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S473 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S473);
-    sample_20.is_shown_0 = ((_S473 & (u32(1073741824)))) != u32(0);
+    var _S467 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S467);
+    sample_20.is_shown_0 = ((_S467 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
-fn Memory_look_0( this_63 : ptr<function, Memory_0>,  sample_21 : Sample_0)
+fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S474 : f32 = (*this_63).looks_0 + 1.0f;
-    (*this_63).looks_0 = _S474;
-    var share_8 : f32 = 1.0f / _S474;
-    var _S475 : vec3<f32> = vec3<f32>(share_8);
-    (*this_63).direct_2 = (*this_63).direct_2 + (sample_21.direct_0 - (*this_63).direct_2) * _S475;
-    (*this_63).albedo_2 = (*this_63).albedo_2 + (sample_21.albedo_0 - (*this_63).albedo_2) * _S475;
+    var _S468 : f32 = (*this_65).looks_0 + 1.0f;
+    (*this_65).looks_0 = _S468;
+    var share_8 : f32 = 1.0f / _S468;
+    var _S469 : vec3<f32> = vec3<f32>(share_8);
+    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S469;
+    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S469;
     if(!sample_21.is_shown_0)
     {
-        (*this_63).coverage_0 = (*this_63).coverage_0 - (*this_63).coverage_0 * share_8;
+        (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_8;
         return;
     }
-    var covered_0 : f32 = (*this_63).coverage_0 * ((*this_63).looks_0 - 1.0f) + 1.0f;
-    (*this_63).coverage_0 = covered_0 * share_8;
+    var covered_0 : f32 = (*this_65).coverage_0 * ((*this_65).looks_0 - 1.0f) + 1.0f;
+    (*this_65).coverage_0 = covered_0 * share_8;
     var of_covered_0 : f32 = 1.0f / covered_0;
-    var before_0 : vec3<f32> = (*this_63).place_10;
-    var _S476 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_63).normal_12 = (*this_63).normal_12 + (sample_21.normal_4 - (*this_63).normal_12) * _S476;
-    (*this_63).place_10 = (*this_63).place_10 + (sample_21.place_3 - (*this_63).place_10) * _S476;
+    var before_0 : vec3<f32> = (*this_65).place_10;
+    var _S470 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_65).normal_12 = (*this_65).normal_12 + (sample_21.normal_4 - (*this_65).normal_12) * _S470;
+    (*this_65).place_10 = (*this_65).place_10 + (sample_21.place_3 - (*this_65).place_10) * _S470;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_63).normal_12, sample_21.place_3 - before_0);
-        (*this_63).roughness_1 = (*this_63).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_63).normal_12), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_63).roughness_1) * of_covered_0;
+        var along_1 : f32 = dot_product_0((*this_65).normal_12, sample_21.place_3 - before_0);
+        (*this_65).roughness_1 = (*this_65).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_65).normal_12), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_65).roughness_1) * of_covered_0;
     }
     return;
 }
 
-fn Lit_add_0( this_64 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
+fn Lit_add_0( this_66 : ptr<function, Lit_0>,  found_3 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S477 : f32 = min((*this_64).paths_0 + 1.0f, most_0);
-    (*this_64).paths_0 = _S477;
-    var l_1 : f32 = luminance_0(found_2);
+    var _S471 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
+    (*this_66).paths_0 = _S471;
+    var l_1 : f32 = luminance_0(found_3);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S478 : vec3<f32> = vec3<f32>((1.0f / _S477));
-    (*this_64).light_12 = (*this_64).light_12 + (found_2 - (*this_64).light_12) * _S478;
-    (*this_64).shaded_0 = (*this_64).shaded_0 + (albedo_4 - (*this_64).shaded_0) * _S478;
-    (*this_64).moments_0 = (*this_64).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_64).moments_0) * _S478;
+    var _S472 : vec3<f32> = vec3<f32>((1.0f / _S471));
+    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S472;
+    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S472;
+    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S472;
     return;
 }
 
-fn Memory_add_0( this_65 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
+fn Memory_add_0( this_67 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
-    Memory_look_0(&((*this_65)), sample_22);
-    var _S479 : Lit_0 = (*this_65).lit_0;
-    Lit_add_0(&(_S479), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_65).lit_0 = _S479;
+    Memory_look_0(&((*this_67)), sample_22);
+    var _S473 : Lit_0 = (*this_67).lit_0;
+    Lit_add_0(&(_S473), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_67).lit_0 = _S473;
     return;
 }
 
@@ -7016,61 +6946,61 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S480 : bool;
+    var _S474 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S480 = true;
+        _S474 = true;
     }
     else
     {
-        _S480 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S474 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S480)
+    if(_S474)
     {
-        _S480 = true;
+        _S474 = true;
     }
     else
     {
-        _S480 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S474 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S480;
+    return _S474;
 }
 
-fn halves_1( low_13 : f32,  high_6 : f32) -> u32
+fn halves_1( low_15 : f32,  high_6 : f32) -> u32
 {
-    return pack2x16float(clamp(vec2<f32>(low_13, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
+    return pack2x16float(clamp(vec2<f32>(low_15, high_6), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
 }
 
-fn Lit_beyond_0( this_66 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
+fn Lit_beyond_0( this_68 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
-    var products_0 : vec3<f32> = Lit_products_0(this_66, kept_1);
-    var _S481 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_66.moments_0 / max(products_0, _S481) - vec3<f32>(1.0f), products_0 > _S481);
+    var products_0 : vec3<f32> = Lit_products_0(this_68, kept_1);
+    var _S475 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_68.moments_0 / max(products_0, _S475) - vec3<f32>(1.0f), products_0 > _S475);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
 {
-    var first_1 : u32 = halves_1(lit_3.shaded_0.x, lit_3.shaded_0.y);
+    var first_0 : u32 = halves_1(lit_3.shaded_0.x, lit_3.shaded_0.y);
     var last_7 : f32 = low_half_0(halves_1(lit_3.shaded_0.z, 0.0f));
-    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_1), high_half_0(first_1), last_7));
-    return vec3<u32>(first_1, halves_1(last_7, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
+    var beyond_13 : vec3<f32> = Lit_beyond_0(lit_3, vec3<f32>(low_half_0(first_0), high_half_0(first_0), last_7));
+    return vec3<u32>(first_0, halves_1(last_7, beyond_13.x), halves_1(beyond_13.y, beyond_13.z));
 }
 
 fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S482 : u32 = packed_normal_0(memory_2.normal_12);
-    var _S483 : u32;
+    var _S476 : u32 = packed_normal_0(memory_2.normal_12);
+    var _S477 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S483 = u32(1073741824);
+        _S477 = u32(1073741824);
     }
     else
     {
-        _S483 = u32(0);
+        _S477 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S482 | (_S483)));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S476 | (_S477)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -7099,18 +7029,18 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S484 : f32;
+        var _S478 : f32;
         if(is_in_motion_0)
         {
-            _S484 = 4.0f;
+            _S478 = 4.0f;
         }
         else
         {
-            _S484 = 16.0f;
+            _S478 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S485 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S485;
+        var _S479 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S479;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7124,17 +7054,17 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S486 : f32 = memory_3.looks_0;
-                    var _S487 : f32;
+                    var _S480 : f32 = memory_3.looks_0;
+                    var _S481 : f32;
                     if(differs_0)
                     {
-                        _S487 = _S484;
+                        _S481 = _S478;
                     }
                     else
                     {
-                        _S487 = 4.0f;
+                        _S481 = 4.0f;
                     }
-                    is_in_motion_0 = _S486 < _S487;
+                    is_in_motion_0 = _S480 < _S481;
                 }
                 else
                 {
@@ -7152,23 +7082,23 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S485;
+                seen_1 = _S479;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_4(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S488 : bool;
+                var _S482 : bool;
                 if(differs_0)
                 {
-                    _S488 = true;
+                    _S482 = true;
                 }
                 else
                 {
-                    _S488 = differ_0(seen_1, sample_23);
+                    _S482 = differ_0(seen_1, sample_23);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S488;
+                differs_0 = _S482;
             }
             is_under_way_1 = is_under_way_2;
         }

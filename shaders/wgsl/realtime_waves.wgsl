@@ -433,6 +433,13 @@ fn Grids_operatorx5Bx5D_get_0( index_1 : u32) -> PackedGrid_0
     return grid_2;
 }
 
+@id(3) override TOP_SHIFT_0 : u32 = u32(0);
+
+fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
+{
+    return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
+}
+
 struct Walk_0
 {
      ray_1 : LocalRay_0,
@@ -440,103 +447,101 @@ struct Walk_0
      offset_0 : vec3<i32>,
      speed_1 : vec3<f32>,
      inverse_1 : vec3<f32>,
-     grid_origin_0 : vec3<i32>,
+     base_0 : vec3<i32>,
      tolerance_0 : vec3<f32>,
-     mirror_0 : vec3<i32>,
+     octant_0 : u32,
      t_end_0 : f32,
 };
 
-fn cell_of_0( values_1 : array<i32, i32(3)>) -> vec3<i32>
+fn LocalRay_octant_0( this_2 : LocalRay_0) -> u32
 {
-    return vec3<i32>(values_1[i32(0)], values_1[i32(1)], values_1[i32(2)]);
+    return (((u32((this_2.direction_1.x) < 0.0f) | (((u32((this_2.direction_1.y) < 0.0f) << (u32(1))))))) | (((u32((this_2.direction_1.z) < 0.0f) << (u32(2))))));
 }
 
-fn Walk_mirrored_plane_0( this_2 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
+fn Walk_mirror_0( this_3 : Walk_0) -> vec3<i32>
 {
-    return ((plane_0 ^ ((this_2.mirror_0)))) - this_2.mirror_0;
+    return (vec3<i32>(0) - vec3<i32>(i32(((this_3.octant_0) & (u32(1)))), i32(((((this_3.octant_0) >> (u32(1)))) & (u32(1)))), i32(((this_3.octant_0) >> (u32(2))))));
 }
 
-fn min_abs_direction_0() -> f32
+fn Walk_mirrored_plane_0( this_4 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S32 : f32;
-    if(IS_EXACT_0)
+    var _S32 : vec3<i32> = Walk_mirror_0(this_4);
+    return ((plane_0 ^ (_S32))) - _S32;
+}
+
+fn LocalRay_mirrored_origin_0( this_5 : LocalRay_0) -> vec3<f32>
+{
+    return select(this_5.origin_1, (vec3<f32>(0) - this_5.origin_1), (this_5.direction_1) < vec3<f32>(0.0f));
+}
+
+fn min_element_0( vector_2 : vec3<f32>) -> f32
+{
+    return min(min(vector_2.x, vector_2.y), vector_2.z);
+}
+
+fn top_shift_of_0( grid_3 : PackedGrid_0) -> u32
+{
+    var _S33 : u32;
+    if(TOP_SHIFT_0 != u32(0))
     {
-        _S32 = 0.0f;
+        _S33 = TOP_SHIFT_0;
     }
     else
     {
-        _S32 = 1.00000004581370497e-18f;
+        _S33 = grid_3.top_shift_0;
     }
-    return _S32;
+    return _S33;
 }
 
-@id(3) override TOP_SHIFT_0 : u32 = u32(0);
-
-fn LocalRay_tolerance_0( this_3 : LocalRay_0,  low_0 : vec3<i32>,  high_0 : vec3<i32>) -> vec3<f32>
+fn LocalRay_tolerance_0( this_6 : LocalRay_0,  low_0 : vec3<i32>,  high_0 : vec3<i32>) -> vec3<f32>
 {
-    return select((abs(this_3.origin_1) + (vec3<f32>(max(abs(low_0), abs(high_0))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_3.direction_1) == vec3<f32>(0.0f));
+    return select((abs(this_6.origin_1) + (vec3<f32>(max(abs(low_0), abs(high_0))) + vec3<f32>(1.0f))) * vec3<f32>(5.36441802978515625e-07f), vec3<f32>(-1.0f), (this_6.direction_1) == vec3<f32>(0.0f));
 }
 
-fn LocalRay_t_end_0( this_4 : LocalRay_0) -> f32
+fn LocalRay_t_end_0( this_7 : LocalRay_0) -> f32
 {
-    return min(this_4.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
+    return min(this_7.t_max_1 * 1.00000095367431641f, 3.4028234663852886e+38f);
 }
 
-fn walk_of_0( ray_2 : LocalRay_0,  grid_3 : PackedGrid_0) -> Walk_0
+fn walk_from_0( base_1 : vec3<i32>,  ray_2 : LocalRay_0,  grid_4 : PackedGrid_0) -> Walk_0
 {
     var walk_0 : Walk_0;
     walk_0.ray_1 = ray_2;
-    walk_0.grid_origin_0 = cell_of_0(grid_3.origin_3);
-    var is_negative_0 : vec3<bool> = (ray_2.direction_1) < vec3<f32>(0.0f);
-    var _S33 : vec3<i32> = vec3<i32>(i32(0));
-    walk_0.mirror_0 = select(_S33, vec3<i32>(i32(-1)), is_negative_0);
+    walk_0.base_0 = base_1;
+    walk_0.octant_0 = LocalRay_octant_0(ray_2);
     var _S34 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S34 = Walk_mirrored_plane_0(walk_0, walk_0.grid_origin_0);
+        _S34 = Walk_mirrored_plane_0(walk_0, base_1);
     }
     else
     {
-        _S34 = _S33;
+        _S34 = vec3<i32>(i32(0));
     }
     walk_0.offset_0 = _S34;
-    var origin_5 : vec3<f32>;
-    if(IS_EXACT_0)
+    walk_0.origin_4 = LocalRay_mirrored_origin_0(ray_2);
+    var _S35 : vec3<f32> = abs(ray_2.direction_1);
+    var _S36 : vec3<f32> = abs(ray_2.inverse_0);
+    var is_still_0 : vec3<bool> = (ray_2.direction_1) == vec3<f32>(0.0f);
+    walk_0.speed_1 = select(_S35, vec3<f32>((max_element_0(_S35) * 9.99999993922529029e-09f)), is_still_0);
+    walk_0.inverse_1 = select(_S36, vec3<f32>((min_element_0(_S36) * 9.99999986991104e+14f)), is_still_0);
+    if(!IS_EXACT_0)
     {
-        origin_5 = ray_2.origin_1;
+        var _S37 : vec3<f32> = vec3<f32>(base_1);
+        walk_0.origin_4 = select(ray_2.origin_1 - _S37, _S37 - ray_2.origin_1, (ray_2.direction_1) < vec3<f32>(0.0f));
+        var _S38 : vec3<f32> = max(_S35, vec3<f32>(1.00000004581370497e-18f));
+        walk_0.speed_1 = _S38;
+        walk_0.inverse_1 = vec3<f32>(1.0f) / _S38;
     }
-    else
-    {
-        origin_5 = ray_2.origin_1 - vec3<f32>(walk_0.grid_origin_0);
-    }
-    walk_0.origin_4 = select(origin_5, (vec3<f32>(0) - origin_5), is_negative_0);
-    walk_0.speed_1 = max(abs(ray_2.direction_1), vec3<f32>(min_abs_direction_0()));
-    if(IS_EXACT_0)
-    {
-        origin_5 = abs(ray_2.inverse_0);
-    }
-    else
-    {
-        origin_5 = vec3<f32>(1.0f) / walk_0.speed_1;
-    }
-    walk_0.inverse_1 = origin_5;
-    var top_shift_1 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_1 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_1 = grid_3.top_shift_0;
-    }
-    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_2, walk_0.grid_origin_0, walk_0.grid_origin_0 + (((cell_of_0(grid_3.top_size_0)) << (vec3<u32>(top_shift_1)))));
+    var low_1 : vec3<i32> = cell_of_0(grid_4.origin_3);
+    walk_0.tolerance_0 = LocalRay_tolerance_0(ray_2, low_1, low_1 + (((cell_of_0(grid_4.top_size_0)) << (vec3<u32>(top_shift_of_0(grid_4))))));
     walk_0.t_end_0 = LocalRay_t_end_0(ray_2);
     return walk_0;
 }
 
-fn Walk_mirrored_0( this_5 : Walk_0,  voxel_2 : vec3<i32>) -> vec3<i32>
+fn Walk_mirrored_0( this_8 : Walk_0,  voxel_2 : vec3<i32>) -> vec3<i32>
 {
-    return (voxel_2 ^ ((this_5.mirror_0)));
+    return (voxel_2 ^ ((Walk_mirror_0(this_8))));
 }
 
 fn halves_0( value_0 : f32) -> vec2<f32>
@@ -554,96 +559,111 @@ fn exact_product_0( a_2 : f32,  b_2 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_2);
     var b_parts_0 : vec2<f32> = halves_0(b_2);
-    var _S35 : f32 = a_parts_0.x;
-    var _S36 : f32 = b_parts_0.x;
-    var _S37 : f32 = b_parts_0.y;
-    var _S38 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S35 * _S36 - product_0 + _S35 * _S37 + _S38 * _S36 + _S38 * _S37);
+    var _S39 : f32 = a_parts_0.x;
+    var _S40 : f32 = b_parts_0.x;
+    var _S41 : f32 = b_parts_0.y;
+    var _S42 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S39 * _S40 - product_0 + _S39 * _S41 + _S42 * _S40 + _S42 * _S41);
 }
 
 fn exact_start_voxel_0( ray_3 : LocalRay_0) -> vec3<i32>
 {
     var way_0 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(0)]);
-    var _S39 : f32 = way_0.x;
-    var sum_0 : f32 = ray_3.origin_1[u32(0)] + _S39;
+    var _S43 : f32 = way_0.x;
+    var sum_0 : f32 = ray_3.origin_1[u32(0)] + _S43;
     var part_0 : f32 = sum_0 - ray_3.origin_1[u32(0)];
-    var low_1 : f32 = ray_3.origin_1[u32(0)] - (sum_0 - part_0) + (_S39 - part_0) + way_0.y;
+    var low_2 : f32 = ray_3.origin_1[u32(0)] - (sum_0 - part_0) + (_S43 - part_0) + way_0.y;
     var whole_0 : f32 = floor(sum_0);
     var voxel_3 : vec3<i32>;
-    var _S40 : i32 = i32(whole_0);
-    var _S41 : bool;
+    var _S44 : i32 = i32(whole_0);
+    var _S45 : bool;
     if(sum_0 == whole_0)
     {
-        _S41 = low_1 < 0.0f;
+        _S45 = low_2 < 0.0f;
     }
     else
     {
-        _S41 = false;
+        _S45 = false;
     }
-    voxel_3[u32(0)] = _S40 - i32(_S41);
+    voxel_3[u32(0)] = _S44 - i32(_S45);
     var way_1 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(1)]);
-    var _S42 : f32 = way_1.x;
-    var sum_1 : f32 = ray_3.origin_1[u32(1)] + _S42;
+    var _S46 : f32 = way_1.x;
+    var sum_1 : f32 = ray_3.origin_1[u32(1)] + _S46;
     var part_1 : f32 = sum_1 - ray_3.origin_1[u32(1)];
-    var low_2 : f32 = ray_3.origin_1[u32(1)] - (sum_1 - part_1) + (_S42 - part_1) + way_1.y;
+    var low_3 : f32 = ray_3.origin_1[u32(1)] - (sum_1 - part_1) + (_S46 - part_1) + way_1.y;
     var whole_1 : f32 = floor(sum_1);
-    var _S43 : i32 = i32(whole_1);
+    var _S47 : i32 = i32(whole_1);
     if(sum_1 == whole_1)
     {
-        _S41 = low_2 < 0.0f;
+        _S45 = low_3 < 0.0f;
     }
     else
     {
-        _S41 = false;
+        _S45 = false;
     }
-    voxel_3[u32(1)] = _S43 - i32(_S41);
+    voxel_3[u32(1)] = _S47 - i32(_S45);
     var way_2 : vec2<f32> = exact_product_0(ray_3.t_min_1, ray_3.direction_1[u32(2)]);
-    var _S44 : f32 = way_2.x;
-    var sum_2 : f32 = ray_3.origin_1[u32(2)] + _S44;
+    var _S48 : f32 = way_2.x;
+    var sum_2 : f32 = ray_3.origin_1[u32(2)] + _S48;
     var part_2 : f32 = sum_2 - ray_3.origin_1[u32(2)];
-    var low_3 : f32 = ray_3.origin_1[u32(2)] - (sum_2 - part_2) + (_S44 - part_2) + way_2.y;
+    var low_4 : f32 = ray_3.origin_1[u32(2)] - (sum_2 - part_2) + (_S48 - part_2) + way_2.y;
     var whole_2 : f32 = floor(sum_2);
-    var _S45 : i32 = i32(whole_2);
+    var _S49 : i32 = i32(whole_2);
     if(sum_2 == whole_2)
     {
-        _S41 = low_3 < 0.0f;
+        _S45 = low_4 < 0.0f;
     }
     else
     {
-        _S41 = false;
+        _S45 = false;
     }
-    voxel_3[u32(2)] = _S45 - i32(_S41);
+    voxel_3[u32(2)] = _S49 - i32(_S45);
     return voxel_3;
 }
 
-fn Walk_start_voxel_0( this_6 : Walk_0) -> vec3<i32>
+fn Walk_start_voxel_0( this_9 : Walk_0) -> vec3<i32>
 {
-    var start_0 : vec3<f32> = clamp(this_6.ray_1.origin_1 + this_6.ray_1.direction_1 * vec3<f32>(this_6.ray_1.t_min_1), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
+    var start_0 : vec3<f32> = clamp(this_9.ray_1.origin_1 + this_9.ray_1.direction_1 * vec3<f32>(this_9.ray_1.t_min_1), vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
     if(!IS_EXACT_0)
     {
-        return Walk_mirrored_0(this_6, vec3<i32>(floor(start_0)) - this_6.grid_origin_0);
+        return Walk_mirrored_0(this_9, vec3<i32>(floor(start_0)) - this_9.base_0);
     }
     var nearest_0 : vec3<f32> = round(start_0);
     var from_nearest_0 : vec3<f32> = start_0 - nearest_0;
-    var _S46 : bool;
-    if((this_6.ray_1.t_min_1) > 0.0f)
+    var _S50 : bool;
+    if((this_9.ray_1.t_min_1) > 0.0f)
     {
-        _S46 = (any(((abs(from_nearest_0)) <= (this_6.tolerance_0))));
+        _S50 = (any(((abs(from_nearest_0)) <= (this_9.tolerance_0))));
     }
     else
     {
-        _S46 = false;
+        _S50 = false;
     }
-    if(_S46)
+    if(_S50)
     {
-        return Walk_mirrored_0(this_6, exact_start_voxel_0(this_6.ray_1) - this_6.grid_origin_0);
+        return Walk_mirrored_0(this_9, exact_start_voxel_0(this_9.ray_1) - this_9.base_0);
     }
-    return Walk_mirrored_0(this_6, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_6.grid_origin_0);
+    return Walk_mirrored_0(this_9, vec3<i32>(nearest_0) - vec3<i32>(from_nearest_0 < vec3<f32>(0.0f)) - this_9.base_0);
 }
 
-fn Walk_crossings_0( this_7 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
+@id(11) override CELLS_SKIP_0 : bool = false;
+
+fn Walk_crossings_0( this_10 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    return (vec3<f32>(planes_1 + this_7.offset_0) - this_7.origin_4) * this_7.inverse_1;
+    var _S51 : bool;
+    if(IS_EXACT_0)
+    {
+        _S51 = !CELLS_SKIP_0;
+    }
+    else
+    {
+        _S51 = false;
+    }
+    if(_S51)
+    {
+        return ((bitcast<vec3<f32>>((planes_1 + this_10.offset_0 + vec3<i32>(i32(1262485504))))) - vec3<f32>(1.2582912e+07f) - this_10.origin_4) * this_10.inverse_1;
+    }
+    return (vec3<f32>(planes_1 + this_10.offset_0) - this_10.origin_4) * this_10.inverse_1;
 }
 
 struct Crossing_0
@@ -656,104 +676,83 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_1 : u32) -> Crossing_0
 {
-    var _S47 : Crossing_0;
-    _S47.distance_0 = distance_1;
-    _S47.distance_low_0 = distance_low_1;
-    _S47.speed_2 = speed_3;
-    _S47.axis_0 = axis_1;
-    return _S47;
+    var _S52 : Crossing_0;
+    _S52.distance_0 = distance_1;
+    _S52.distance_low_0 = distance_low_1;
+    _S52.speed_2 = speed_3;
+    _S52.axis_0 = axis_1;
+    return _S52;
 }
 
-fn crossing_of_0( ray_4 : LocalRay_0,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
+fn crossing_ahead_0( origin_5 : f32,  speed_4 : f32,  axis_2 : u32,  plane_1 : i32) -> Crossing_0
 {
-    var sign_0 : f32;
-    if((ray_4.direction_1[axis_2]) < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
     var at_0 : f32 = f32(plane_1);
-    var difference_0 : f32 = at_0 - ray_4.origin_1[axis_2];
+    var difference_0 : f32 = at_0 - origin_5;
     var part_3 : f32 = difference_0 - at_0;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_0 - (difference_0 - part_3) - (ray_4.origin_1[axis_2] + part_3)) * sign_0, abs(ray_4.direction_1[axis_2]), axis_2);
+    return Crossing_x24init_0(difference_0, at_0 - (difference_0 - part_3) - (origin_5 + part_3), speed_4, axis_2);
 }
 
-fn Crossing_is_before_0( this_8 : Crossing_0,  other_0 : Crossing_0) -> bool
+fn Crossing_is_before_0( this_11 : Crossing_0,  other_0 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_8.distance_0, other_0.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_8.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_11.distance_0, other_0.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_0.distance_0, this_11.speed_2);
     if(IS_EXACT_0)
     {
-        ours_0[i32(1)] = ours_0[i32(1)] + this_8.distance_low_0 * other_0.speed_2;
-        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_8.speed_2;
+        ours_0[i32(1)] = ours_0[i32(1)] + this_11.distance_low_0 * other_0.speed_2;
+        theirs_0[i32(1)] = theirs_0[i32(1)] + other_0.distance_low_0 * this_11.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S48 : bool;
+    var _S53 : bool;
     if(difference_1 < 0.0f)
     {
-        _S48 = true;
+        _S53 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S48 = (this_8.axis_0) < (other_0.axis_0);
+            _S53 = (this_11.axis_0) < (other_0.axis_0);
         }
         else
         {
-            _S48 = false;
+            _S53 = false;
         }
     }
-    return _S48;
+    return _S53;
 }
 
-fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+fn crossing_among_0( origin_6 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : vec3<i32>,  is_first_0 : bool) -> Crossing_0
 {
-    var _S49 : vec3<f32>;
-    var _S50 : f32;
-    var _S51 : bool;
-    var is_crossed_0 : bool;
-    var first_0 : Crossing_0;
-    var _S52 : f32;
-    var _S53 : bool;
-    var _S54 : f32;
-    var _S55 : bool;
-    var plane_2 : i32;
-    var _S56 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S54 : bool;
+    var found_0 : Crossing_0;
+    var _S55 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S49 = ray_5.direction_1;
-                _S50 = ray_5.direction_1[u32(0)];
-                var _S57 : bool = (ray_5.direction_1[u32(0)]) == 0.0f;
-                _S51 = _S57;
-                if(_S57)
+                if((speed_5[u32(0)]) == 0.0f)
                 {
-                    first_0 = _S56;
+                    found_0 = _S55;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_5, u32(0), exit_0[u32(0)]);
-                if((_S56.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_ahead_0(origin_6[u32(0)], speed_5[u32(0)], u32(0), planes_2[u32(0)]);
+                if((_S55.axis_0) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S54 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S56);
+                    _S54 = (Crossing_is_before_0(crossing_0, _S55)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S54)
                 {
-                    first_0 = crossing_0;
+                    found_0 = crossing_0;
                 }
                 else
                 {
-                    first_0 = _S56;
+                    found_0 = _S55;
                 }
                 break;
             }
@@ -763,25 +762,22 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S52 = _S49[u32(1)];
-                var _S58 : bool = (_S49[u32(1)]) == 0.0f;
-                _S53 = _S58;
-                if(_S58)
+                if((speed_5[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_5, u32(1), exit_0[u32(1)]);
-                if((first_0.axis_0) == u32(3))
+                var crossing_1 : Crossing_0 = crossing_ahead_0(origin_6[u32(1)], speed_5[u32(1)], u32(1), planes_2[u32(1)]);
+                if((found_0.axis_0) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S54 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_0);
+                    _S54 = (Crossing_is_before_0(crossing_1, found_0)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S54)
                 {
-                    first_0 = crossing_1;
+                    found_0 = crossing_1;
                 }
                 break;
             }
@@ -791,25 +787,22 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S54 = _S49[u32(2)];
-                var _S59 : bool = (_S49[u32(2)]) == 0.0f;
-                _S55 = _S59;
-                if(_S59)
+                if((speed_5[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_5, u32(2), exit_0[u32(2)]);
-                if((first_0.axis_0) == u32(3))
+                var crossing_2 : Crossing_0 = crossing_ahead_0(origin_6[u32(2)], speed_5[u32(2)], u32(2), planes_2[u32(2)]);
+                if((found_0.axis_0) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S54 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_0);
+                    _S54 = (Crossing_is_before_0(crossing_2, found_0)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S54)
                 {
-                    first_0 = crossing_2;
+                    found_0 = crossing_2;
                 }
                 break;
             }
@@ -817,6 +810,14 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         }
         break;
     }
+    return found_0;
+}
+
+fn leave_box_0( origin_7 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_1 : vec3<i32>) -> vec3<i32>
+{
+    var is_crossed_0 : bool;
+    var plane_2 : i32;
+    var _S56 : Crossing_0 = crossing_among_0(origin_7, speed_6, exit_0, true);
     var arrival_0 : vec3<i32> = voxel_4;
     for(;;)
     {
@@ -824,20 +825,20 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S51)
+                if((speed_6[u32(0)]) == 0.0f)
                 {
                     break;
                 }
-                var _S60 : bool = u32(0) == (first_0.axis_0);
-                if(_S60)
+                var _S57 : bool = u32(0) == (_S56.axis_0);
+                if(_S57)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(0), nearest_1[u32(0)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_7[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S56);
                 }
-                if(_S60)
+                if(_S57)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -845,7 +846,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_2 - i32(is_crossed_0 == (_S50 < 0.0f));
+                arrival_0[u32(0)] = plane_2 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -854,20 +855,20 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S53)
+                if((speed_6[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var _S61 : bool = u32(1) == (first_0.axis_0);
-                if(_S61)
+                var _S58 : bool = u32(1) == (_S56.axis_0);
+                if(_S58)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(1), nearest_1[u32(1)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_7[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S56);
                 }
-                if(_S61)
+                if(_S58)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -875,7 +876,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_2 - i32(is_crossed_0 == (_S52 < 0.0f));
+                arrival_0[u32(1)] = plane_2 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -884,20 +885,20 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S55)
+                if((speed_6[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var _S62 : bool = u32(2) == (first_0.axis_0);
-                if(_S62)
+                var _S59 : bool = u32(2) == (_S56.axis_0);
+                if(_S59)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_5, u32(2), nearest_1[u32(2)]), first_0);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_7[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S56);
                 }
-                if(_S62)
+                if(_S59)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -905,7 +906,7 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_2 = nearest_1[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_2 - i32(is_crossed_0 == (_S54 < 0.0f));
+                arrival_0[u32(2)] = plane_2 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -915,24 +916,24 @@ fn leave_box_0( ray_5 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
     return arrival_0;
 }
 
-fn Walk_arrive_0( this_9 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
+fn Walk_arrive_0( this_12 : Walk_0,  voxel_5 : vec3<i32>,  t_2 : f32,  is_axis_0 : vec3<bool>,  exit_1 : vec3<i32>) -> vec3<i32>
 {
-    var position_0 : vec3<f32> = this_9.origin_4 + this_9.speed_1 * vec3<f32>(t_2);
+    var position_0 : vec3<f32> = this_12.origin_4 + this_12.speed_1 * vec3<f32>(t_2);
     if(IS_EXACT_0)
     {
         var position_1 : vec3<f32> = clamp(position_0, vec3<f32>(-2.097152e+06f), vec3<f32>(2.097152e+06f));
         var nearest_2 : vec3<f32> = round(position_1);
         var from_nearest_1 : vec3<f32> = position_1 - nearest_2;
-        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_9.tolerance_0)))))))
+        if((any((select(vec3<bool>(false), (abs(position_1)) < vec3<f32>(2.097152e+06f), select(vec3<bool>(false), !is_axis_0, (abs(from_nearest_1)) <= (this_12.tolerance_0)))))))
         {
-            return max(Walk_mirrored_0(this_9, leave_box_0(this_9.ray_1, Walk_mirrored_0(this_9, voxel_5) + this_9.grid_origin_0, Walk_mirrored_plane_0(this_9, exit_1) + this_9.grid_origin_0, Walk_mirrored_plane_0(this_9, vec3<i32>(nearest_2))) - this_9.grid_origin_0), voxel_5);
+            return max(leave_box_0(this_12.origin_4, this_12.speed_1, voxel_5 + this_12.offset_0, exit_1 + this_12.offset_0, vec3<i32>(nearest_2)) - this_12.offset_0, voxel_5);
         }
-        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_9.offset_0, exit_1, is_axis_0);
+        return select(vec3<i32>(nearest_2) - vec3<i32>(from_nearest_1 < vec3<f32>(0.0f)) - this_12.offset_0, exit_1, is_axis_0);
     }
     return max(vec3<i32>(floor(position_0)), select(voxel_5, exit_1, is_axis_0));
 }
 
-fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
+fn Walk_enter_rounded_0( this_13 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>,  near_0 : vec3<i32>,  far_0 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -941,20 +942,20 @@ fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>, 
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_10.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_0)))))
+        if((any((select(vec3<bool>(false), (this_13.speed_1) <= vec3<f32>(1.00000004581370497e-18f), is_before_0)))))
         {
             return false;
         }
-        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_10, near_0), is_before_0);
+        var t_3 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_13, near_0), is_before_0);
         var t_last_0 : f32 = max_element_0(t_3);
-        if(t_last_0 > (this_10.t_end_0))
+        if(t_last_0 > (this_13.t_end_0))
         {
             return false;
         }
         var is_x_0 : bool = (t_3.x) == t_last_0;
-        var _S63 : bool = !is_x_0;
+        var _S60 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S63)
+        if(_S60)
         {
             is_y_0 = (t_3.y) == t_last_0;
         }
@@ -962,130 +963,138 @@ fn Walk_enter_rounded_0( this_10 : Walk_0,  voxel_6 : ptr<function, vec3<i32>>, 
         {
             is_y_0 = false;
         }
-        var _S64 : bool;
-        if(_S63)
+        var _S61 : bool;
+        if(_S60)
         {
-            _S64 = !is_y_0;
+            _S61 = !is_y_0;
         }
         else
         {
-            _S64 = false;
+            _S61 = false;
         }
-        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S64);
-        (*voxel_6) = Walk_arrive_0(this_10, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
+        var is_axis_1 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S61);
+        (*voxel_6) = Walk_arrive_0(this_13, (*voxel_6), t_last_0, is_axis_1, select(vec3<i32>(i32(1073741823)), near_0, is_axis_1));
     }
     return (all(((*voxel_6) < far_0)));
 }
 
-fn min_element_0( vector_2 : vec3<f32>) -> f32
+fn Walk_leave_rounded_0( this_14 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
 {
-    return min(min(vector_2.x, vector_2.y), vector_2.z);
-}
-
-fn Walk_leave_rounded_0( this_11 : Walk_0,  voxel_7 : ptr<function, vec3<i32>>,  exit_2 : vec3<i32>) -> bool
-{
-    var t_4 : vec3<f32> = Walk_crossings_0(this_11, exit_2);
+    var t_4 : vec3<f32> = Walk_crossings_0(this_14, exit_2);
     var t_first_0 : f32 = min_element_0(t_4);
-    if(t_first_0 >= (this_11.t_end_0))
+    if(t_first_0 >= (this_14.t_end_0))
     {
         return false;
     }
-    (*voxel_7) = max(exit_2 - vec3<i32>(ceil((t_4 - vec3<f32>(t_first_0)) * this_11.speed_1)), (*voxel_7));
+    (*voxel_7) = max(exit_2 - vec3<i32>(ceil((t_4 - vec3<f32>(t_first_0)) * this_14.speed_1)), (*voxel_7));
     return true;
 }
 
-fn Walk_leave_0( this_12 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
+fn Walk_leave_0( this_15 : Walk_0,  voxel_8 : ptr<function, vec3<i32>>,  exit_3 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S65 : bool = Walk_leave_rounded_0(this_12, &((*voxel_8)), exit_3);
-        return _S65;
+        var _S62 : bool = Walk_leave_rounded_0(this_15, &((*voxel_8)), exit_3);
+        return _S62;
     }
-    var t_5 : vec3<f32> = Walk_crossings_0(this_12, exit_3);
+    var t_5 : vec3<f32> = Walk_crossings_0(this_15, exit_3);
     var t_first_1 : f32 = min_element_0(t_5);
-    if(t_first_1 > (this_12.t_end_0))
+    if(t_first_1 > (this_15.t_end_0))
     {
         return false;
     }
-    var is_x_1 : bool = (t_5.x) == t_first_1;
-    var _S66 : bool = !is_x_1;
-    var is_y_1 : bool;
+    var back_0 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_5 - vec3<f32>(t_first_1), this_15.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
+    var _S63 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_0 : vec3<f32> = back_0 + _S63;
+    var _S64 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
+    var _S65 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S63 - back_0)) >= (_S65 - this_15.tolerance_0);
+    var _S66 : bool = is_unsure_0.x;
+    var _S67 : bool;
     if(_S66)
     {
-        is_y_1 = (t_5.y) == t_first_1;
+        _S67 = is_unsure_0.y;
     }
     else
     {
-        is_y_1 = false;
+        _S67 = false;
     }
-    var back_0 : vec3<f32> = (t_5 - vec3<f32>(t_first_1)) * this_12.speed_1;
-    var nearest_3 : vec3<f32> = round(back_0);
-    var from_nearest_2 : vec3<f32> = back_0 - nearest_3;
-    var planes_2 : vec3<i32> = exit_3 - vec3<i32>(min(nearest_3, vec3<f32>(4.194304e+06f)));
-    var _S67 : vec3<i32> = planes_2 - vec3<i32>(from_nearest_2 > vec3<f32>(0.0f));
-    var _S68 : vec3<bool> = (abs(from_nearest_2)) <= (this_12.tolerance_0);
-    var _S69 : bool;
-    if(_S66)
+    if(_S67)
     {
-        _S69 = !is_y_1;
+        _S67 = true;
     }
     else
     {
-        _S69 = false;
+        if(_S66)
+        {
+            _S67 = true;
+        }
+        else
+        {
+            _S67 = is_unsure_0.y;
+        }
+        if(_S67)
+        {
+            _S67 = is_unsure_0.z;
+        }
+        else
+        {
+            _S67 = false;
+        }
     }
     var arrival_1 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_1, is_y_1, _S69), _S68)))))
+    if(_S67)
     {
-        arrival_1 = Walk_mirrored_0(this_12, leave_box_0(this_12.ray_1, Walk_mirrored_0(this_12, (*voxel_8)) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, exit_3) + this_12.grid_origin_0, Walk_mirrored_plane_0(this_12, planes_2) + this_12.grid_origin_0) - this_12.grid_origin_0);
+        arrival_1 = leave_box_0(this_15.origin_4, this_15.speed_1, (*voxel_8) + this_15.offset_0, exit_3 + this_15.offset_0, exit_3 - vec3<i32>(round(back_0 - _S65)) + this_15.offset_0) - this_15.offset_0;
     }
     else
     {
-        arrival_1 = _S67;
+        arrival_1 = _S64;
     }
-    (*voxel_8) = select(max(arrival_1, (*voxel_8)), (*voxel_8), (this_12.speed_1) == vec3<f32>(0.0f));
+    (*voxel_8) = max(arrival_1, (*voxel_8));
     return true;
 }
 
-fn Walk_enter_0( this_13 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 : vec3<i32>,  high_2 : vec3<i32>) -> bool
+fn Walk_enter_0( this_16 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_2 : vec3<i32>) -> bool
 {
-    var _S70 : bool;
-    var is_mirrored_0 : vec3<bool> = (this_13.mirror_0) != vec3<i32>(i32(0));
-    var near_1 : vec3<i32> = select(low_4, (vec3<i32>(0) - high_2), is_mirrored_0);
-    var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_4), is_mirrored_0);
+    var _S68 : bool;
+    var is_mirrored_0 : vec3<bool> = (Walk_mirror_0(this_16)) != vec3<i32>(i32(0));
+    var near_1 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_2), is_mirrored_0);
+    var far_1 : vec3<i32> = select(high_2, (vec3<i32>(0) - low_5), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S71 : bool = Walk_enter_rounded_0(this_13, &((*voxel_9)), near_1, far_1);
-        return _S71;
+        var _S69 : bool = Walk_enter_rounded_0(this_16, &((*voxel_9)), near_1, far_1);
+        return _S69;
     }
     var axis_3 : u32 = u32(0);
     for(;;)
     {
         if(axis_3 < u32(3))
         {
-            _S70 = (any(((*voxel_9) < near_1)));
+            _S68 = (any(((*voxel_9) < near_1)));
+        }
+        else
+        {
+            _S68 = false;
+        }
+        var _S70 : bool;
+        if(_S68)
+        {
+            _S70 = (all(((*voxel_9) < far_1)));
         }
         else
         {
             _S70 = false;
         }
-        var _S72 : bool;
         if(_S70)
-        {
-            _S72 = (all(((*voxel_9) < far_1)));
-        }
-        else
-        {
-            _S72 = false;
-        }
-        if(_S72)
         {
         }
         else
         {
             break;
         }
-        var _S73 : bool = Walk_leave_0(this_13, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
-        if(!_S73)
+        var _S71 : bool = Walk_leave_0(this_16, &((*voxel_9)), select(far_1, near_1, (*voxel_9) < near_1));
+        if(!_S71)
         {
             return false;
         }
@@ -1093,23 +1102,18 @@ fn Walk_enter_0( this_13 : Walk_0,  voxel_9 : ptr<function, vec3<i32>>,  low_4 :
     }
     if((all(((*voxel_9) >= near_1))))
     {
-        _S70 = (all(((*voxel_9) < far_1)));
+        _S68 = (all(((*voxel_9) < far_1)));
     }
     else
     {
-        _S70 = false;
+        _S68 = false;
     }
-    return _S70;
+    return _S68;
 }
 
-fn LocalRay_octant_0( this_14 : LocalRay_0) -> u32
+fn flip_of_0( octant_1 : u32) -> u32
 {
-    return (((u32((this_14.direction_1.x) < 0.0f) | (((u32((this_14.direction_1.y) < 0.0f) << (u32(1))))))) | (((u32((this_14.direction_1.z) < 0.0f) << (u32(2))))));
-}
-
-fn flip_of_0( octant_0 : u32) -> u32
-{
-    return ((((((octant_0 & (u32(1)))) | (((((octant_0 & (u32(2)))) << (u32(1))))))) | (((((octant_0 & (u32(4)))) << (u32(2))))))) * u32(3);
+    return ((((((octant_1 & (u32(1)))) | (((((octant_1 & (u32(2)))) << (u32(1))))))) | (((((octant_1 & (u32(4)))) << (u32(2))))))) * u32(3);
 }
 
 fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
@@ -1117,9 +1121,9 @@ fn dot_cells_0( a_3 : vec3<i32>,  b_3 : vec3<i32>) -> i32
     return a_3.x * b_3.x + a_3.y * b_3.y + a_3.z * b_3.z;
 }
 
-fn ahead_of_0( mirror_1 : vec3<i32>) -> u32
+fn ahead_of_0( mirror_0 : vec3<i32>) -> u32
 {
-    var bits_0 : vec3<u32> = (vec3<u32>(~mirror_1) & (vec3<u32>(u32(31), u32(992), u32(31744))));
+    var bits_0 : vec3<u32> = (vec3<u32>(~mirror_0) & (vec3<u32>(u32(31), u32(992), u32(31744))));
     return ((((bits_0.x) | ((bits_0.y)))) | ((bits_0.z)));
 }
 
@@ -1144,21 +1148,19 @@ fn waits_for_pages_0() -> bool
     return false;
 }
 
-@id(11) override CELLS_SKIP_0 : bool = false;
-
-fn skip_distance_0( cell_1 : u32,  octant_1 : u32) -> u32
+fn skip_distance_0( cell_1 : u32,  octant_2 : u32) -> u32
 {
-    var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_1)))) & (u32(7)));
-    var _S74 : u32;
+    var code_0 : u32 = (((cell_1 >> ((u32(3) * octant_2)))) & (u32(7)));
+    var _S72 : u32;
     if(code_0 < u32(2))
     {
-        _S74 = code_0 + u32(1);
+        _S72 = code_0 + u32(1);
     }
     else
     {
-        _S74 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
+        _S72 = ((u32(3) + ((code_0 & (u32(1))))) << ((((code_0 >> (u32(1)))) - u32(1))));
     }
-    return _S74;
+    return _S72;
 }
 
 fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -1170,16 +1172,16 @@ fn extents_0( cell_2 : u32,  ahead_0 : u32) -> vec3<i32>
 
 fn record_of_cell_0( cell_3 : u32) -> u32
 {
-    var _S75 : u32;
+    var _S73 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S75 = u32(8388607);
+        _S73 = u32(8388607);
     }
     else
     {
-        _S75 = u32(2147483647);
+        _S73 = u32(2147483647);
     }
-    return ((cell_3 & (_S75))) * u32(2);
+    return ((cell_3 & (_S73))) * u32(2);
 }
 
 fn blocks_of_cell_0( cell_4 : u32) -> u32
@@ -1202,9 +1204,9 @@ fn blocks_of_record_0( record_0 : u32) -> u32
     return ((brick_word_0(record_0)) & (u32(255)));
 }
 
-fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octant_2 : u32,  flip_0 : u32) -> u32
+fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octant_3 : u32,  flip_0 : u32) -> u32
 {
-    var block_0 : u32 = (((((u32(((((voxel_10.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_10.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_10.z) & (i32(4))))))) ^ (octant_2));
+    var block_0 : u32 = (((((u32(((((voxel_10.x) >> (u32(2)))) & (i32(1)))) | (u32(((((voxel_10.y) >> (u32(1)))) & (i32(2))))))) | (u32(((voxel_10.z) & (i32(4))))))) ^ (octant_3));
     if(((((blocks_0 >> (block_0))) & (u32(1)))) == u32(0))
     {
         return u32(3);
@@ -1215,114 +1217,121 @@ fn empty_around_0( record_1 : u32,  blocks_0 : u32,  voxel_10 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S76 : i32;
+    var _S74 : i32;
     if(((((half_0 >> (((bit_0 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S76 = i32(1);
+        _S74 = i32(1);
     }
     else
     {
-        _S76 = i32(0);
+        _S74 = i32(0);
     }
-    return u32(_S76);
+    return u32(_S74);
 }
 
-fn Walk_leave_rounded_1( this_15 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
+fn Walk_leave_rounded_1( this_17 : Walk_0,  voxel_11 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
-    var t_6 : vec3<f32> = Walk_crossings_0(this_15, exit_4);
+    var t_6 : vec3<f32> = Walk_crossings_0(this_17, exit_4);
     var t_first_2 : f32 = min_element_0(t_6);
-    if(t_first_2 >= (this_15.t_end_0))
+    if(t_first_2 >= (this_17.t_end_0))
     {
         return false;
     }
-    (*voxel_11) = max(exit_4 - vec3<i32>(ceil((t_6 - vec3<f32>(t_first_2)) * this_15.speed_1)), (*voxel_11));
+    (*voxel_11) = max(exit_4 - vec3<i32>(ceil((t_6 - vec3<f32>(t_first_2)) * this_17.speed_1)), (*voxel_11));
     return true;
 }
 
-fn Walk_leave_1( this_16 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
+fn Walk_leave_1( this_18 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_5 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S77 : bool = Walk_leave_rounded_1(this_16, &((*voxel_12)), exit_5);
-        return _S77;
+        var _S75 : bool = Walk_leave_rounded_1(this_18, &((*voxel_12)), exit_5);
+        return _S75;
     }
-    var t_7 : vec3<f32> = Walk_crossings_0(this_16, exit_5);
+    var t_7 : vec3<f32> = Walk_crossings_0(this_18, exit_5);
     var t_first_3 : f32 = min_element_0(t_7);
-    if(t_first_3 > (this_16.t_end_0))
+    if(t_first_3 > (this_18.t_end_0))
     {
         return false;
     }
-    var is_x_2 : bool = (t_7.x) == t_first_3;
-    var _S78 : bool = !is_x_2;
-    var is_y_2 : bool;
-    if(_S78)
+    var back_1 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_7 - vec3<f32>(t_first_3), this_18.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
+    var _S76 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_1 : vec3<f32> = back_1 + _S76;
+    var _S77 : vec3<i32> = exit_5 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
+    var _S78 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S76 - back_1)) >= (_S78 - this_18.tolerance_0);
+    var _S79 : bool = is_unsure_1.x;
+    var _S80 : bool;
+    if(_S79)
     {
-        is_y_2 = (t_7.y) == t_first_3;
+        _S80 = is_unsure_1.y;
     }
     else
     {
-        is_y_2 = false;
+        _S80 = false;
     }
-    var back_1 : vec3<f32> = (t_7 - vec3<f32>(t_first_3)) * this_16.speed_1;
-    var nearest_4 : vec3<f32> = round(back_1);
-    var from_nearest_3 : vec3<f32> = back_1 - nearest_4;
-    var planes_3 : vec3<i32> = exit_5 - vec3<i32>(min(nearest_4, vec3<f32>(4.194304e+06f)));
-    var _S79 : vec3<i32> = planes_3 - vec3<i32>(from_nearest_3 > vec3<f32>(0.0f));
-    var _S80 : vec3<bool> = (abs(from_nearest_3)) <= (this_16.tolerance_0);
-    var _S81 : bool;
-    if(_S78)
+    if(_S80)
     {
-        _S81 = !is_y_2;
+        _S80 = true;
     }
     else
     {
-        _S81 = false;
+        if(_S79)
+        {
+            _S80 = true;
+        }
+        else
+        {
+            _S80 = is_unsure_1.y;
+        }
+        if(_S80)
+        {
+            _S80 = is_unsure_1.z;
+        }
+        else
+        {
+            _S80 = false;
+        }
     }
     var arrival_2 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_2, is_y_2, _S81), _S80)))))
+    if(_S80)
     {
-        arrival_2 = Walk_mirrored_0(this_16, leave_box_0(this_16.ray_1, Walk_mirrored_0(this_16, (*voxel_12)) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, exit_5) + this_16.grid_origin_0, Walk_mirrored_plane_0(this_16, planes_3) + this_16.grid_origin_0) - this_16.grid_origin_0);
+        arrival_2 = leave_box_0(this_18.origin_4, this_18.speed_1, (*voxel_12) + this_18.offset_0, exit_5 + this_18.offset_0, exit_5 - vec3<i32>(round(back_1 - _S78)) + this_18.offset_0) - this_18.offset_0;
     }
     else
     {
-        arrival_2 = _S79;
+        arrival_2 = _S77;
     }
-    (*voxel_12) = select(max(arrival_2, (*voxel_12)), (*voxel_12), (this_16.speed_1) == vec3<f32>(0.0f));
+    (*voxel_12) = max(arrival_2, (*voxel_12));
     return true;
 }
 
-fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_0( grid_5 : PackedGrid_0,  walk_1 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S82 : Walk_0 = walk_1;
-    var _S83 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_0) = _S83;
+    var _S81 : Walk_0 = walk_1;
+    var _S82 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_1) = _S82;
     var voxel_13 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S84 : bool = Walk_enter_0(walk_1, &(voxel_13), cell_of_0(grid_4.min_0) - _S82.grid_origin_0, cell_of_0(grid_4.max_0) - _S82.grid_origin_0);
-    if(!_S84)
+    var _S83 : bool = Walk_enter_0(walk_1, &(voxel_13), cell_of_0(grid_5.min_0) - _S81.base_0, cell_of_0(grid_5.max_0) - _S81.base_0);
+    if(!_S83)
     {
         return false;
     }
-    var octant_3 : u32 = LocalRay_octant_0(_S82.ray_1);
-    var _S85 : u32 = flip_of_0(octant_3);
-    var top_shift_2 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_2 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_2 = grid_4.top_shift_0;
-    }
-    var top_size_1 : vec3<i32> = cell_of_0(grid_4.top_size_0);
-    var _S86 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S86, _S86 * top_size_1.y);
-    var _S87 : i32 = i32(grid_4.top_offset_0) - dot_cells_0((stride_0 & ((_S82.mirror_0))), vec3<i32>(i32(1)));
-    var _S88 : vec3<i32> = Walk_mirrored_plane_0(_S82, stride_0);
-    var _S89 : u32 = ahead_of_0(_S82.mirror_0);
-    var end_0 : vec3<i32> = select((top_size_1 << (vec3<u32>(top_shift_2))), _S83, (_S82.mirror_0) != _S83);
+    var octant_4 : u32 = _S81.octant_0;
+    var _S84 : u32 = flip_of_0(_S81.octant_0);
+    var top_shift_1 : u32 = top_shift_of_0(grid_5);
+    var top_size_1 : vec3<i32> = cell_of_0(grid_5.top_size_0);
+    var low_6 : vec3<i32> = cell_of_0(grid_5.origin_3) - _S81.base_0;
+    var _S85 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S85, _S85 * top_size_1.y);
+    var _S86 : vec3<u32> = vec3<u32>(top_shift_1);
+    var _S87 : i32 = i32(grid_5.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S81)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_6 >> (_S86)));
+    var _S88 : vec3<i32> = Walk_mirrored_plane_0(_S81, stride_0);
+    var _S89 : u32 = ahead_of_0(Walk_mirror_0(_S81));
+    var end_0 : vec3<i32> = Walk_mirrored_plane_0(_S81, select(low_6 + ((top_size_1 << (_S86))), low_6, (Walk_mirror_0(_S81)) != _S82));
     if(!IS_EXACT_0)
     {
-        _S82.t_end_0 = min(_S82.t_end_0, min_element_0(Walk_crossings_0(_S82, end_0)));
+        _S81.t_end_0 = min(_S81.t_end_0, min_element_0(Walk_crossings_0(_S81, end_0)));
     }
     var is_found_0 : bool = false;
     for(;;)
@@ -1340,27 +1349,27 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         {
             break;
         }
-        var cell_5 : u32 = cell_word_0(u32(_S87 + dot_cells_0(_S88, (voxel_13 >> (vec3<u32>(top_shift_2))))));
+        var cell_5 : u32 = cell_word_0(u32(_S87 + dot_cells_0(_S88, (voxel_13 >> (_S86)))));
+        var is_found_1 : bool;
         var cell_6 : u32;
         var shift_1 : u32;
-        var is_found_1 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_5 & (u32(2147483648)))) != u32(0))
             {
-                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S85))));
+                cell_6 = cell_word_0(((cell_5 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, u32(3))) ^ (_S84))));
                 shift_1 = u32(3);
             }
             else
             {
                 cell_6 = cell_5;
-                shift_1 = top_shift_2;
+                shift_1 = top_shift_1;
             }
         }
         else
         {
             cell_6 = cell_5;
-            shift_1 = top_shift_2;
+            shift_1 = top_shift_1;
             for(;;)
             {
                 if(TOP_SHIFT_0 != u32(3))
@@ -1388,7 +1397,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
                     break;
                 }
                 var shift_2 : u32 = shift_1 - u32(2);
-                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S85))));
+                cell_6 = cell_word_0(((cell_6 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_13, shift_2)) ^ (_S84))));
                 shift_1 = shift_2;
             }
         }
@@ -1401,7 +1410,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         {
             if(CELLS_SKIP_0)
             {
-                exit_6 = vec3<i32>((i32(skip_distance_0(cell_6, octant_3)) - i32(1)));
+                exit_6 = vec3<i32>((i32(skip_distance_0(cell_6, octant_4)) - i32(1)));
             }
             else
             {
@@ -1422,7 +1431,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             {
                 blocks_1 = blocks_of_record_0(record_2);
             }
-            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_3, _S85);
+            var low_bits_0 : u32 = empty_around_0(record_2, blocks_1, voxel_13, octant_4, _S84);
             var is_found_2 : bool = low_bits_0 == u32(4294967295);
             if(is_found_2)
             {
@@ -1432,7 +1441,7 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
             exit_6 = ((voxel_13 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_1 = is_found_2;
         }
-        var _S92 : bool = Walk_leave_1(_S82, &(voxel_13), exit_6);
+        var _S92 : bool = Walk_leave_1(_S81, &(voxel_13), exit_6);
         if(!_S92)
         {
             is_found_0 = is_found_1;
@@ -1440,203 +1449,124 @@ fn first_voxel_0( grid_4 : PackedGrid_0,  walk_1 : Walk_0,  found_0 : ptr<functi
         }
         is_found_0 = is_found_1;
     }
-    (*found_0) = Walk_mirrored_0(_S82, voxel_13) + _S82.grid_origin_0;
+    (*found_1) = Walk_mirrored_0(_S81, voxel_13) + _S81.base_0;
     return is_found_0;
 }
 
-fn Ray_x24init_0( origin_6 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>,  t_max_2 : f32) -> Ray_0
+fn Ray_x24init_0( origin_8 : vec3<f32>,  t_min_2 : f32,  direction_3 : vec3<f32>,  t_max_2 : f32) -> Ray_0
 {
     var _S93 : Ray_0;
-    _S93.origin_0 = origin_6;
+    _S93.origin_0 = origin_8;
     _S93.t_min_0 = t_min_2;
     _S93.direction_0 = direction_3;
     _S93.t_max_0 = t_max_2;
     return _S93;
 }
 
-fn ray_of_walk_0( walk_2 : Walk_0,  ray_6 : Ray_0) -> Ray_0
+fn ray_of_walk_0( walk_2 : Walk_0,  ray_4 : Ray_0) -> Ray_0
 {
-    var is_mirrored_1 : vec3<bool> = (walk_2.mirror_0) != vec3<i32>(i32(0));
-    return Ray_x24init_0(select(walk_2.origin_4, (vec3<f32>(0) - walk_2.origin_4), is_mirrored_1) + vec3<f32>(walk_2.grid_origin_0), ray_6.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_6.t_max_0);
+    var is_mirrored_1 : vec3<bool> = (Walk_mirror_0(walk_2)) != vec3<i32>(i32(0));
+    return Ray_x24init_0(select(walk_2.origin_4, (vec3<f32>(0) - walk_2.origin_4), is_mirrored_1) + vec3<f32>(walk_2.base_0), ray_4.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_4.t_max_0);
 }
 
-fn hit_of_0( ray_7 : LocalRay_0,  voxel_14 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn hit_at_0( last_0 : Crossing_0,  t_min_3 : f32,  inverse_2 : vec3<f32>,  voxel_14 : vec3<i32>,  instance_2 : u32,  octant_5 : u32) -> Hit_0
 {
-    var _S94 : vec3<f32>;
-    var _S95 : bool;
-    var last_0 : Crossing_0;
-    var _S96 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    for(;;)
+    var t_8 : f32 = last_0.distance_0 * inverse_2[last_0.axis_0];
+    var _S94 : f32;
+    if(t_8 > t_min_3)
     {
-        for(;;)
-        {
-            for(;;)
-            {
-                _S94 = ray_7.direction_1;
-                if((ray_7.direction_1[u32(0)]) == 0.0f)
-                {
-                    last_0 = _S96;
-                    break;
-                }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_7, u32(0), voxel_14[u32(0)] + i32((ray_7.direction_1[u32(0)]) < 0.0f));
-                if((_S96.axis_0) == u32(3))
-                {
-                    _S95 = true;
-                }
-                else
-                {
-                    _S95 = !Crossing_is_before_0(crossing_3, _S96);
-                }
-                if(_S95)
-                {
-                    last_0 = crossing_3;
-                }
-                else
-                {
-                    last_0 = _S96;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S97 : vec3<f32> = _S94;
-                if((_S94[u32(1)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_7, u32(1), voxel_14[u32(1)] + i32((_S97[u32(1)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
-                {
-                    _S95 = true;
-                }
-                else
-                {
-                    _S95 = !Crossing_is_before_0(crossing_4, last_0);
-                }
-                if(_S95)
-                {
-                    last_0 = crossing_4;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S98 : vec3<f32> = _S94;
-                if((_S94[u32(2)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_7, u32(2), voxel_14[u32(2)] + i32((_S98[u32(2)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
-                {
-                    _S95 = true;
-                }
-                else
-                {
-                    _S95 = !Crossing_is_before_0(crossing_5, last_0);
-                }
-                if(_S95)
-                {
-                    last_0 = crossing_5;
-                }
-                break;
-            }
-            break;
-        }
-        break;
-    }
-    var _S99 : Crossing_0 = last_0;
-    var is_negative_1 : bool = (_S94[last_0.axis_0]) < 0.0f;
-    var t_8 : f32 = (f32(voxel_14[last_0.axis_0] + i32(is_negative_1)) - ray_7.origin_1[last_0.axis_0]) * ray_7.inverse_0[last_0.axis_0];
-    var _S100 : f32;
-    if(t_8 > (ray_7.t_min_1))
-    {
-        _S100 = t_8;
+        _S94 = t_8;
     }
     else
     {
-        _S100 = ray_7.t_min_1;
+        _S94 = t_min_3;
     }
-    return Hit_x24init_0(_S100, instance_2, voxel_14, u32(2) * _S99.axis_0 + u32(is_negative_1));
+    return Hit_x24init_0(_S94, instance_2, voxel_14, u32(2) * last_0.axis_0 + ((((octant_5 >> ((last_0.axis_0)))) & (u32(1)))));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_15 : vec3<i32>,  instance_3 : u32) -> Hit_0
 {
-    var t_9 : vec3<f32> = Walk_crossings_0(walk_3, Walk_mirrored_0(walk_3, voxel_15 - walk_3.grid_origin_0));
+    var planes_3 : vec3<i32> = Walk_mirrored_0(walk_3, voxel_15 - walk_3.base_0);
+    if(IS_EXACT_0)
+    {
+        return hit_at_0(crossing_among_0(walk_3.origin_4, walk_3.speed_1, planes_3 + walk_3.offset_0, false), walk_3.ray_1.t_min_1, walk_3.inverse_1, voxel_15, instance_3, walk_3.octant_0);
+    }
+    var t_9 : vec3<f32> = Walk_crossings_0(walk_3, planes_3);
     var last_1 : f32 = max_element_0(t_9);
-    var _S101 : i32;
+    var _S95 : i32;
     if((t_9.z) == last_1)
     {
-        _S101 = i32(2);
+        _S95 = i32(2);
     }
     else
     {
         if((t_9.y) == last_1)
         {
-            _S101 = i32(1);
+            _S95 = i32(1);
         }
         else
         {
-            _S101 = i32(0);
+            _S95 = i32(0);
         }
     }
-    var axis_4 : u32 = u32(_S101);
-    return Hit_x24init_0(max(last_1, walk_3.ray_1.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + u32((walk_3.mirror_0[axis_4]) != i32(0)));
+    var axis_4 : u32 = u32(_S95);
+    return Hit_x24init_0(max(last_1, walk_3.ray_1.t_min_1), instance_3, voxel_15, u32(2) * axis_4 + (((((walk_3.octant_0) >> (axis_4))) & (u32(1)))));
 }
 
-fn hit_in_0( instance_4 : u32,  ray_8 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_4 : u32,  ray_5 : ptr<function, Ray_0>) -> Hit_0
 {
-    var local_1 : LocalRay_0 = local_ray_0((*ray_8), Instances_operatorx5Bx5D_get_0(instance_4).grid_from_world_0);
+    var local_1 : LocalRay_0 = local_ray_0((*ray_5), Instances_operatorx5Bx5D_get_0(instance_4).grid_from_world_0);
     if(!local_1.is_valid_0)
     {
         return miss_0();
     }
-    var _S102 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_4).grid_0);
-    var walk_4 : Walk_0 = walk_of_0(local_1, _S102);
-    var voxel_16 : vec3<i32>;
-    var is_found_3 : bool = first_voxel_0(_S102, walk_4, &(voxel_16));
-    var _S103 : bool;
-    if(IS_SINGLE_0)
+    var _S96 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_4).grid_0);
+    var _S97 : bool;
+    if(IS_EXACT_0)
     {
-        _S103 = !IS_EXACT_0;
+        _S97 = TOP_SHIFT_0 == u32(3);
     }
     else
     {
-        _S103 = false;
+        _S97 = false;
     }
-    if(_S103)
+    var base_2 : vec3<i32>;
+    if(_S97)
     {
-        (*ray_8) = ray_of_walk_0(walk_4, (*ray_8));
+        base_2 = vec3<i32>(i32(0));
+    }
+    else
+    {
+        base_2 = cell_of_0(_S96.origin_3);
+    }
+    var walk_4 : Walk_0 = walk_from_0(base_2, local_1, _S96);
+    var voxel_16 : vec3<i32>;
+    var is_found_3 : bool = first_voxel_0(_S96, walk_4, &(voxel_16));
+    if(IS_SINGLE_0)
+    {
+        _S97 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S97 = false;
+    }
+    if(_S97)
+    {
+        (*ray_5) = ray_of_walk_0(walk_4, (*ray_5));
     }
     if(!is_found_3)
     {
         return miss_0();
     }
-    var hit_0 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_0 = hit_of_0(local_1, voxel_16, instance_4);
-    }
-    else
-    {
-        hit_0 = hit_of_walk_0(walk_4, voxel_16, instance_4);
-    }
-    if((hit_0.t_0) > ((*ray_8).t_max_0))
+    var hit_0 : Hit_0 = hit_of_walk_0(walk_4, voxel_16, instance_4);
+    if((hit_0.t_0) > ((*ray_5).t_max_0))
     {
         return miss_0();
     }
     return hit_0;
 }
 
-fn Walk_enter_rounded_1( this_17 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  near_2 : vec3<i32>,  far_2 : vec3<i32>) -> bool
+fn Walk_enter_rounded_1( this_19 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,  near_2 : vec3<i32>,  far_2 : vec3<i32>) -> bool
 {
     for(;;)
     {
@@ -1645,134 +1575,147 @@ fn Walk_enter_rounded_1( this_17 : Walk_0,  voxel_17 : ptr<function, vec3<i32>>,
         {
             break;
         }
-        if((any((select(vec3<bool>(false), (this_17.speed_1) <= vec3<f32>(min_abs_direction_0()), is_before_1)))))
+        if((any((select(vec3<bool>(false), (this_19.speed_1) <= vec3<f32>(1.00000004581370497e-18f), is_before_1)))))
         {
             return false;
         }
-        var t_10 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_17, near_2), is_before_1);
+        var t_10 : vec3<f32> = select(vec3<f32>(-1.0f), Walk_crossings_0(this_19, near_2), is_before_1);
         var t_last_1 : f32 = max_element_0(t_10);
-        if(t_last_1 > (this_17.t_end_0))
+        if(t_last_1 > (this_19.t_end_0))
         {
             return false;
         }
-        var is_x_3 : bool = (t_10.x) == t_last_1;
-        var _S104 : bool = !is_x_3;
-        var is_y_3 : bool;
-        if(_S104)
+        var is_x_1 : bool = (t_10.x) == t_last_1;
+        var _S98 : bool = !is_x_1;
+        var is_y_1 : bool;
+        if(_S98)
         {
-            is_y_3 = (t_10.y) == t_last_1;
+            is_y_1 = (t_10.y) == t_last_1;
         }
         else
         {
-            is_y_3 = false;
+            is_y_1 = false;
         }
-        var _S105 : bool;
+        var _S99 : bool;
+        if(_S98)
+        {
+            _S99 = !is_y_1;
+        }
+        else
+        {
+            _S99 = false;
+        }
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_1, is_y_1, _S99);
+        (*voxel_17) = Walk_arrive_0(this_19, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
+    }
+    return (all(((*voxel_17) < far_2)));
+}
+
+fn Walk_leave_2( this_20 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
+{
+    if(!IS_EXACT_0)
+    {
+        var _S100 : bool = Walk_leave_rounded_0(this_20, &((*voxel_18)), exit_7);
+        return _S100;
+    }
+    var t_11 : vec3<f32> = Walk_crossings_0(this_20, exit_7);
+    var t_first_4 : f32 = min_element_0(t_11);
+    if(t_first_4 > (this_20.t_end_0))
+    {
+        return false;
+    }
+    var back_2 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_11 - vec3<f32>(t_first_4), this_20.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
+    var _S101 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_2 : vec3<f32> = back_2 + _S101;
+    var _S102 : vec3<i32> = exit_7 - ((bitcast<vec3<i32>>((rounded_2))) - vec3<i32>(i32(1262485504)));
+    var _S103 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_2 : vec3<bool> = (abs(rounded_2 - _S101 - back_2)) >= (_S103 - this_20.tolerance_0);
+    var _S104 : bool = is_unsure_2.x;
+    var _S105 : bool;
+    if(_S104)
+    {
+        _S105 = is_unsure_2.y;
+    }
+    else
+    {
+        _S105 = false;
+    }
+    if(_S105)
+    {
+        _S105 = true;
+    }
+    else
+    {
         if(_S104)
         {
-            _S105 = !is_y_3;
+            _S105 = true;
+        }
+        else
+        {
+            _S105 = is_unsure_2.y;
+        }
+        if(_S105)
+        {
+            _S105 = is_unsure_2.z;
         }
         else
         {
             _S105 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_3, is_y_3, _S105);
-        (*voxel_17) = Walk_arrive_0(this_17, (*voxel_17), t_last_1, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
-    }
-    return (all(((*voxel_17) < far_2)));
-}
-
-fn Walk_leave_2( this_18 : Walk_0,  voxel_18 : ptr<function, vec3<i32>>,  exit_7 : vec3<i32>) -> bool
-{
-    if(!IS_EXACT_0)
-    {
-        var _S106 : bool = Walk_leave_rounded_0(this_18, &((*voxel_18)), exit_7);
-        return _S106;
-    }
-    var t_11 : vec3<f32> = Walk_crossings_0(this_18, exit_7);
-    var t_first_4 : f32 = min_element_0(t_11);
-    if(t_first_4 > (this_18.t_end_0))
-    {
-        return false;
-    }
-    var is_x_4 : bool = (t_11.x) == t_first_4;
-    var _S107 : bool = !is_x_4;
-    var is_y_4 : bool;
-    if(_S107)
-    {
-        is_y_4 = (t_11.y) == t_first_4;
-    }
-    else
-    {
-        is_y_4 = false;
-    }
-    var back_2 : vec3<f32> = (t_11 - vec3<f32>(t_first_4)) * this_18.speed_1;
-    var nearest_5 : vec3<f32> = round(back_2);
-    var from_nearest_4 : vec3<f32> = back_2 - nearest_5;
-    var planes_4 : vec3<i32> = exit_7 - vec3<i32>(min(nearest_5, vec3<f32>(4.194304e+06f)));
-    var _S108 : vec3<i32> = planes_4 - vec3<i32>(from_nearest_4 > vec3<f32>(0.0f));
-    var _S109 : vec3<bool> = (abs(from_nearest_4)) <= (this_18.tolerance_0);
-    var _S110 : bool;
-    if(_S107)
-    {
-        _S110 = !is_y_4;
-    }
-    else
-    {
-        _S110 = false;
     }
     var arrival_3 : vec3<i32>;
-    if((any((select(vec3<bool>(false), !vec3<bool>(is_x_4, is_y_4, _S110), _S109)))))
+    if(_S105)
     {
-        arrival_3 = Walk_mirrored_0(this_18, leave_box_0(this_18.ray_1, Walk_mirrored_0(this_18, (*voxel_18)) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, exit_7) + this_18.grid_origin_0, Walk_mirrored_plane_0(this_18, planes_4) + this_18.grid_origin_0) - this_18.grid_origin_0);
+        arrival_3 = leave_box_0(this_20.origin_4, this_20.speed_1, (*voxel_18) + this_20.offset_0, exit_7 + this_20.offset_0, exit_7 - vec3<i32>(round(back_2 - _S103)) + this_20.offset_0) - this_20.offset_0;
     }
     else
     {
-        arrival_3 = _S108;
+        arrival_3 = _S102;
     }
-    (*voxel_18) = select(max(arrival_3, (*voxel_18)), (*voxel_18), (this_18.speed_1) == vec3<f32>(0.0f));
+    (*voxel_18) = max(arrival_3, (*voxel_18));
     return true;
 }
 
-fn Walk_enter_1( this_19 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 : vec3<i32>,  high_3 : vec3<i32>) -> bool
+fn Walk_enter_1( this_21 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_7 : vec3<i32>,  high_3 : vec3<i32>) -> bool
 {
-    var _S111 : bool;
-    var is_mirrored_2 : vec3<bool> = (this_19.mirror_0) != vec3<i32>(i32(0));
-    var near_3 : vec3<i32> = select(low_5, (vec3<i32>(0) - high_3), is_mirrored_2);
-    var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_5), is_mirrored_2);
+    var _S106 : bool;
+    var is_mirrored_2 : vec3<bool> = (Walk_mirror_0(this_21)) != vec3<i32>(i32(0));
+    var near_3 : vec3<i32> = select(low_7, (vec3<i32>(0) - high_3), is_mirrored_2);
+    var far_3 : vec3<i32> = select(high_3, (vec3<i32>(0) - low_7), is_mirrored_2);
     if(!IS_EXACT_0)
     {
-        var _S112 : bool = Walk_enter_rounded_1(this_19, &((*voxel_19)), near_3, far_3);
-        return _S112;
+        var _S107 : bool = Walk_enter_rounded_1(this_21, &((*voxel_19)), near_3, far_3);
+        return _S107;
     }
     var axis_5 : u32 = u32(0);
     for(;;)
     {
         if(axis_5 < u32(3))
         {
-            _S111 = (any(((*voxel_19) < near_3)));
+            _S106 = (any(((*voxel_19) < near_3)));
         }
         else
         {
-            _S111 = false;
+            _S106 = false;
         }
-        var _S113 : bool;
-        if(_S111)
+        var _S108 : bool;
+        if(_S106)
         {
-            _S113 = (all(((*voxel_19) < far_3)));
+            _S108 = (all(((*voxel_19) < far_3)));
         }
         else
         {
-            _S113 = false;
+            _S108 = false;
         }
-        if(_S113)
+        if(_S108)
         {
         }
         else
         {
             break;
         }
-        var _S114 : bool = Walk_leave_2(this_19, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
-        if(!_S114)
+        var _S109 : bool = Walk_leave_2(this_21, &((*voxel_19)), select(far_3, near_3, (*voxel_19) < near_3));
+        if(!_S109)
         {
             return false;
         }
@@ -1780,85 +1723,79 @@ fn Walk_enter_1( this_19 : Walk_0,  voxel_19 : ptr<function, vec3<i32>>,  low_5 
     }
     if((all(((*voxel_19) >= near_3))))
     {
-        _S111 = (all(((*voxel_19) < far_3)));
+        _S106 = (all(((*voxel_19) < far_3)));
     }
     else
     {
-        _S111 = false;
+        _S106 = false;
     }
-    return _S111;
+    return _S106;
 }
 
-fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<function, vec3<i32>>) -> bool
+fn first_voxel_1( grid_6 : PackedGrid_0,  walk_5 : Walk_0,  found_2 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S115 : Walk_0 = walk_5;
-    var _S116 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_1) = _S116;
+    var _S110 : Walk_0 = walk_5;
+    var _S111 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_2) = _S111;
     var voxel_20 : vec3<i32> = Walk_start_voxel_0(walk_5);
-    var _S117 : bool = Walk_enter_1(walk_5, &(voxel_20), cell_of_0(grid_5.min_0) - _S115.grid_origin_0, cell_of_0(grid_5.max_0) - _S115.grid_origin_0);
-    if(!_S117)
+    var _S112 : bool = Walk_enter_1(walk_5, &(voxel_20), cell_of_0(grid_6.min_0) - _S110.base_0, cell_of_0(grid_6.max_0) - _S110.base_0);
+    if(!_S112)
     {
         return false;
     }
-    var octant_4 : u32 = LocalRay_octant_0(_S115.ray_1);
-    var _S118 : u32 = flip_of_0(octant_4);
-    var top_shift_3 : u32;
-    if(TOP_SHIFT_0 != u32(0))
-    {
-        top_shift_3 = TOP_SHIFT_0;
-    }
-    else
-    {
-        top_shift_3 = grid_5.top_shift_0;
-    }
-    var top_size_2 : vec3<i32> = cell_of_0(grid_5.top_size_0);
-    var _S119 : i32 = top_size_2.x;
-    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S119, _S119 * top_size_2.y);
-    var _S120 : i32 = i32(grid_5.top_offset_0) - dot_cells_0((stride_1 & ((_S115.mirror_0))), vec3<i32>(i32(1)));
-    var _S121 : vec3<i32> = Walk_mirrored_plane_0(_S115, stride_1);
-    var _S122 : u32 = ahead_of_0(_S115.mirror_0);
-    var end_1 : vec3<i32> = select((top_size_2 << (vec3<u32>(top_shift_3))), _S116, (_S115.mirror_0) != _S116);
+    var octant_6 : u32 = _S110.octant_0;
+    var _S113 : u32 = flip_of_0(_S110.octant_0);
+    var top_shift_2 : u32 = top_shift_of_0(grid_6);
+    var top_size_2 : vec3<i32> = cell_of_0(grid_6.top_size_0);
+    var low_8 : vec3<i32> = cell_of_0(grid_6.origin_3) - _S110.base_0;
+    var _S114 : i32 = top_size_2.x;
+    var stride_1 : vec3<i32> = vec3<i32>(i32(1), _S114, _S114 * top_size_2.y);
+    var _S115 : vec3<u32> = vec3<u32>(top_shift_2);
+    var _S116 : i32 = i32(grid_6.top_offset_0) - dot_cells_0((stride_1 & ((Walk_mirror_0(_S110)))), vec3<i32>(i32(1))) - dot_cells_0(stride_1, (low_8 >> (_S115)));
+    var _S117 : vec3<i32> = Walk_mirrored_plane_0(_S110, stride_1);
+    var _S118 : u32 = ahead_of_0(Walk_mirror_0(_S110));
+    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S110, select(low_8 + ((top_size_2 << (_S115))), low_8, (Walk_mirror_0(_S110)) != _S111));
     if(!IS_EXACT_0)
     {
-        _S115.t_end_0 = min(_S115.t_end_0, min_element_0(Walk_crossings_0(_S115, end_1)));
+        _S110.t_end_0 = min(_S110.t_end_0, min_element_0(Walk_crossings_0(_S110, end_1)));
     }
     var is_found_4 : bool = false;
     for(;;)
     {
-        var _S123 : bool;
+        var _S119 : bool;
         if(IS_EXACT_0)
         {
-            _S123 = (any((voxel_20 >= end_1)));
+            _S119 = (any((voxel_20 >= end_1)));
         }
         else
         {
-            _S123 = false;
+            _S119 = false;
         }
-        if(_S123)
+        if(_S119)
         {
             break;
         }
-        var cell_7 : u32 = cell_word_0(u32(_S120 + dot_cells_0(_S121, (voxel_20 >> (vec3<u32>(top_shift_3))))));
+        var cell_7 : u32 = cell_word_0(u32(_S116 + dot_cells_0(_S117, (voxel_20 >> (_S115)))));
+        var is_found_5 : bool;
         var cell_8 : u32;
         var shift_3 : u32;
-        var is_found_5 : bool;
         if(TOP_SHIFT_0 == u32(5))
         {
             if(((cell_7 & (u32(2147483648)))) != u32(0))
             {
-                cell_8 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S118))));
+                cell_8 = cell_word_0(((cell_7 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, u32(3))) ^ (_S113))));
                 shift_3 = u32(3);
             }
             else
             {
                 cell_8 = cell_7;
-                shift_3 = top_shift_3;
+                shift_3 = top_shift_2;
             }
         }
         else
         {
             cell_8 = cell_7;
-            shift_3 = top_shift_3;
+            shift_3 = top_shift_2;
             for(;;)
             {
                 if(TOP_SHIFT_0 != u32(3))
@@ -1869,16 +1806,16 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
                 {
                     is_found_5 = false;
                 }
-                var _S124 : bool;
+                var _S120 : bool;
                 if(is_found_5)
                 {
-                    _S124 = ((cell_8 & (u32(2147483648)))) != u32(0);
+                    _S120 = ((cell_8 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S124 = false;
+                    _S120 = false;
                 }
-                if(_S124)
+                if(_S120)
                 {
                 }
                 else
@@ -1886,7 +1823,7 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
                     break;
                 }
                 var shift_4 : u32 = shift_3 - u32(2);
-                cell_8 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S118))));
+                cell_8 = cell_word_0(((cell_8 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_20, shift_4)) ^ (_S113))));
                 shift_3 = shift_4;
             }
         }
@@ -1899,11 +1836,11 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
         {
             if(CELLS_SKIP_0)
             {
-                exit_8 = vec3<i32>((i32(skip_distance_0(cell_8, octant_4)) - i32(1)));
+                exit_8 = vec3<i32>((i32(skip_distance_0(cell_8, octant_6)) - i32(1)));
             }
             else
             {
-                exit_8 = extents_0(cell_8, _S122);
+                exit_8 = extents_0(cell_8, _S118);
             }
             exit_8 = ((voxel_20 | (vec3<i32>((((i32(1) << (shift_3))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_8 << (vec3<u32>(shift_3))));
             is_found_5 = is_found_4;
@@ -1920,7 +1857,7 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             {
                 blocks_2 = blocks_of_record_0(record_3);
             }
-            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_4, _S118);
+            var low_bits_1 : u32 = empty_around_0(record_3, blocks_2, voxel_20, octant_6, _S113);
             var is_found_6 : bool = low_bits_1 == u32(4294967295);
             if(is_found_6)
             {
@@ -1930,56 +1867,65 @@ fn first_voxel_1( grid_5 : PackedGrid_0,  walk_5 : Walk_0,  found_1 : ptr<functi
             exit_8 = ((voxel_20 | (vec3<i32>(i32(low_bits_1))))) + vec3<i32>(i32(1));
             is_found_5 = is_found_6;
         }
-        var _S125 : bool = Walk_leave_0(_S115, &(voxel_20), exit_8);
-        if(!_S125)
+        var _S121 : bool = Walk_leave_0(_S110, &(voxel_20), exit_8);
+        if(!_S121)
         {
             is_found_4 = is_found_5;
             break;
         }
         is_found_4 = is_found_5;
     }
-    (*found_1) = Walk_mirrored_0(_S115, voxel_20) + _S115.grid_origin_0;
+    (*found_2) = Walk_mirrored_0(_S110, voxel_20) + _S110.base_0;
     return is_found_4;
 }
 
-fn hit_in_1( instance_5 : u32,  ray_9 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_1( instance_5 : u32,  ray_6 : ptr<function, Ray_0>) -> Hit_0
 {
-    var local_2 : LocalRay_0 = local_ray_0((*ray_9), Instances_operatorx5Bx5D_get_0(instance_5).grid_from_world_0);
+    var local_2 : LocalRay_0 = local_ray_0((*ray_6), Instances_operatorx5Bx5D_get_0(instance_5).grid_from_world_0);
     if(!local_2.is_valid_0)
     {
         return miss_0();
     }
-    var _S126 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_5).grid_0);
-    var walk_6 : Walk_0 = walk_of_0(local_2, _S126);
-    var voxel_21 : vec3<i32>;
-    var is_found_7 : bool = first_voxel_1(_S126, walk_6, &(voxel_21));
-    var _S127 : bool;
-    if(IS_SINGLE_0)
+    var _S122 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_5).grid_0);
+    var _S123 : bool;
+    if(IS_EXACT_0)
     {
-        _S127 = !IS_EXACT_0;
+        _S123 = TOP_SHIFT_0 == u32(3);
     }
     else
     {
-        _S127 = false;
+        _S123 = false;
     }
-    if(_S127)
+    var base_3 : vec3<i32>;
+    if(_S123)
     {
-        (*ray_9) = ray_of_walk_0(walk_6, (*ray_9));
+        base_3 = vec3<i32>(i32(0));
+    }
+    else
+    {
+        base_3 = cell_of_0(_S122.origin_3);
+    }
+    var walk_6 : Walk_0 = walk_from_0(base_3, local_2, _S122);
+    var voxel_21 : vec3<i32>;
+    var is_found_7 : bool = first_voxel_1(_S122, walk_6, &(voxel_21));
+    if(IS_SINGLE_0)
+    {
+        _S123 = !IS_EXACT_0;
+    }
+    else
+    {
+        _S123 = false;
+    }
+    if(_S123)
+    {
+        (*ray_6) = ray_of_walk_0(walk_6, (*ray_6));
     }
     if(!is_found_7)
     {
         return miss_0();
     }
-    var hit_1 : Hit_0;
-    if(IS_EXACT_0)
-    {
-        hit_1 = hit_of_0(local_2, voxel_21, instance_5);
-    }
-    else
-    {
-        hit_1 = hit_of_walk_0(walk_6, voxel_21, instance_5);
-    }
-    if((hit_1.t_0) > ((*ray_9).t_max_0))
+    var hit_1 : Hit_0 = hit_of_walk_0(walk_6, voxel_21, instance_5);
+    if((hit_1.t_0) > ((*ray_6).t_max_0))
     {
         return miss_0();
     }
@@ -2026,7 +1972,7 @@ struct Path_0
 struct Walker_0
 {
      path_0 : Path_0,
-     ray_10 : Ray_0,
+     ray_7 : Ray_0,
      is_shadow_ray_0 : bool,
      light_0 : vec3<f32>,
      direction_4 : vec3<f32>,
@@ -2056,7 +2002,7 @@ struct Sample_0
 
 struct NextRays_0
 {
-     origin_7 : vec3<f32>,
+     origin_9 : vec3<f32>,
      path_origin_1 : vec3<f32>,
      shadow_inside_1 : Inside_0,
      relocates_1 : bool,
@@ -2071,11 +2017,11 @@ struct NextRays_0
 
 fn Inside_x24init_0( instance_8 : u32,  voxel_23 : vec3<i32>,  material_1 : u32) -> Inside_0
 {
-    var _S128 : Inside_0;
-    _S128.instance_6 = instance_8;
-    _S128.voxel_22 = voxel_23;
-    _S128.material_0 = material_1;
-    return _S128;
+    var _S124 : Inside_0;
+    _S124.instance_6 = instance_8;
+    _S124.voxel_22 = voxel_23;
+    _S124.material_0 = material_1;
+    return _S124;
 }
 
 fn in_air_0() -> Inside_0
@@ -2083,35 +2029,35 @@ fn in_air_0() -> Inside_0
     return Inside_x24init_0(u32(4294967295), vec3<i32>(i32(0)), u32(0));
 }
 
-fn NextRays_x24init_0( origin_8 : vec3<f32>,  path_origin_2 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_6 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_3 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
+fn NextRays_x24init_0( origin_10 : vec3<f32>,  path_origin_2 : vec3<f32>,  shadow_inside_2 : Inside_0,  relocates_2 : bool,  path_relocates_2 : bool,  direction_6 : vec3<f32>,  has_shadow_ray_1 : bool,  shadow_direction_1 : vec3<f32>,  shadow_t_max_1 : f32,  light_3 : vec3<f32>,  is_same_1 : bool) -> NextRays_0
 {
-    var _S129 : NextRays_0;
-    _S129.origin_7 = origin_8;
-    _S129.path_origin_1 = path_origin_2;
-    _S129.shadow_inside_1 = shadow_inside_2;
-    _S129.relocates_1 = relocates_2;
-    _S129.path_relocates_1 = path_relocates_2;
-    _S129.direction_5 = direction_6;
-    _S129.has_shadow_ray_0 = has_shadow_ray_1;
-    _S129.shadow_direction_0 = shadow_direction_1;
-    _S129.shadow_t_max_0 = shadow_t_max_1;
-    _S129.light_2 = light_3;
-    _S129.is_same_0 = is_same_1;
-    return _S129;
+    var _S125 : NextRays_0;
+    _S125.origin_9 = origin_10;
+    _S125.path_origin_1 = path_origin_2;
+    _S125.shadow_inside_1 = shadow_inside_2;
+    _S125.relocates_1 = relocates_2;
+    _S125.path_relocates_1 = path_relocates_2;
+    _S125.direction_5 = direction_6;
+    _S125.has_shadow_ray_0 = has_shadow_ray_1;
+    _S125.shadow_direction_0 = shadow_direction_1;
+    _S125.shadow_t_max_0 = shadow_t_max_1;
+    _S125.light_2 = light_3;
+    _S125.is_same_0 = is_same_1;
+    return _S125;
 }
 
 fn no_rays_0() -> NextRays_0
 {
-    var _S130 : vec3<f32> = vec3<f32>(0.0f);
-    return NextRays_x24init_0(_S130, _S130, in_air_0(), false, false, _S130, false, _S130, 0.0f, _S130, false);
+    var _S126 : vec3<f32> = vec3<f32>(0.0f);
+    return NextRays_x24init_0(_S126, _S126, in_air_0(), false, false, _S126, false, _S126, 0.0f, _S126, false);
 }
 
-fn Hit_is_miss_0( this_20 : Hit_0) -> bool
+fn Hit_is_miss_0( this_22 : Hit_0) -> bool
 {
-    return (this_20.instance_0) == u32(4294967295);
+    return (this_22.instance_0) == u32(4294967295);
 }
 
-fn Inside_is_in_0( this_21 : Inside_0) -> bool
+fn Inside_is_in_0( this_23 : Inside_0) -> bool
 {
     return false;
 }
@@ -2130,35 +2076,35 @@ struct PackedMaterial_0
      scattering_0 : f32,
 };
 
-fn find_brick_0( grid_6 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
+fn find_brick_0( grid_7 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
-    var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_6.top_shift_0)));
-    var _S131 : bool;
+    var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_7.top_shift_0)));
+    var _S127 : bool;
     if((any((top_0 < vec3<i32>(i32(0))))))
     {
-        _S131 = true;
+        _S127 = true;
     }
     else
     {
-        _S131 = (any((top_0 >= (cell_of_0(grid_6.top_size_0)))));
+        _S127 = (any((top_0 >= (cell_of_0(grid_7.top_size_0)))));
     }
-    if(_S131)
+    if(_S127)
     {
         return u32(4294967295);
     }
-    var cell_9 : u32 = cell_word_0(grid_6.top_offset_0 + u32((top_0.z * grid_6.top_size_0[i32(1)] + top_0.y) * grid_6.top_size_0[i32(0)] + top_0.x));
-    var shift_5 : u32 = grid_6.top_shift_0;
+    var cell_9 : u32 = cell_word_0(grid_7.top_offset_0 + u32((top_0.z * grid_7.top_size_0[i32(1)] + top_0.y) * grid_7.top_size_0[i32(0)] + top_0.x));
+    var shift_5 : u32 = grid_7.top_shift_0;
     for(;;)
     {
         if(shift_5 > u32(3))
         {
-            _S131 = ((cell_9 & (u32(2147483648)))) != u32(0);
+            _S127 = ((cell_9 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S131 = false;
+            _S127 = false;
         }
-        if(_S131)
+        if(_S127)
         {
         }
         else
@@ -2195,20 +2141,20 @@ fn rank_in_brick_0( record_4 : u32,  relative_2 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S132 : u32 = u32(2) * index_6;
-        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_4 + u32(2) + _S132)) + countOneBits(brick_word_0(record_4 + u32(3) + _S132)));
+        var _S128 : u32 = u32(2) * index_6;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_4 + u32(2) + _S128)) + countOneBits(brick_word_0(record_4 + u32(3) + _S128)));
         index_6 = index_6 + u32(1);
         rank_0 = rank_1;
     }
-    var _S133 : u32 = u32(2) * present_before_0;
-    var low_6 : u32 = brick_word_0(record_4 + u32(2) + _S133);
+    var _S129 : u32 = u32(2) * present_before_0;
+    var low_9 : u32 = brick_word_0(record_4 + u32(2) + _S129);
     if(bit_1 < u32(32))
     {
-        rank_0 = rank_0 + countOneBits((low_6 & ((((u32(1) << (bit_1))) - u32(1)))));
+        rank_0 = rank_0 + countOneBits((low_9 & ((((u32(1) << (bit_1))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_6) + countOneBits(((brick_word_0(record_4 + u32(3) + _S133)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_9) + countOneBits(((brick_word_0(record_4 + u32(3) + _S129)) & ((((u32(1) << ((bit_1 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
@@ -2244,24 +2190,24 @@ fn read_bits_0( start_1 : u32,  position_2 : u32,  count_0 : u32) -> u32
     return (bits_2 & ((((u32(1) << (count_0))) - u32(1))));
 }
 
-fn material_of_rank_0( grid_7 : PackedGrid_0,  record_5 : u32,  rank_2 : u32) -> u32
+fn material_of_rank_0( grid_8 : PackedGrid_0,  record_5 : u32,  rank_2 : u32) -> u32
 {
     var header_0 : u32 = brick_word_0(record_5);
     var index_bits_0 : u32 = (((header_0 >> (u32(8)))) & (u32(255)));
     var palette_count_0 : u32 = (header_0 >> (u32(16)));
     var start_2 : u32 = brick_word_0(record_5 + u32(1));
-    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grid_7.material_bits_0 + rank_2 * index_bits_0, index_bits_0);
+    var index_9 : u32 = read_bits_0(start_2, palette_count_0 * grid_8.material_bits_0 + rank_2 * index_bits_0, index_bits_0);
     if(palette_count_0 == u32(0))
     {
         return index_9;
     }
-    return read_bits_0(start_2, index_9 * grid_7.material_bits_0, grid_7.material_bits_0);
+    return read_bits_0(start_2, index_9 * grid_8.material_bits_0, grid_8.material_bits_0);
 }
 
-fn material_at_0( grid_8 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
+fn material_at_0( grid_9 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 {
-    var record_6 : u32 = find_brick_0(grid_8, relative_3);
-    return material_of_rank_0(grid_8, record_6, rank_in_brick_0(record_6, relative_3));
+    var record_6 : u32 = find_brick_0(grid_9, relative_3);
+    return material_of_rank_0(grid_9, record_6, rank_in_brick_0(record_6, relative_3));
 }
 
 fn Rows_operatorx5Bx5D_get_2( row_4 : u32) -> vec4<u32>
@@ -2271,41 +2217,41 @@ fn Rows_operatorx5Bx5D_get_2( row_4 : u32) -> vec4<u32>
 
 fn material_of_index_0( index_10 : u32) -> PackedMaterial_0
 {
-    var _S134 : u32 = u32(4) * index_10;
-    var _S135 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134);
-    var _S136 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134 + u32(1));
-    var _S137 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134 + u32(2));
-    var _S138 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S134 + u32(3));
+    var _S130 : u32 = u32(4) * index_10;
+    var _S131 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S130);
+    var _S132 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S130 + u32(1));
+    var _S133 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S130 + u32(2));
+    var _S134 : vec4<u32> = Rows_operatorx5Bx5D_get_2(_S130 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S139 : f32 = (bitcast<f32>((_S135.y)));
-    var _S140 : f32 = (bitcast<f32>((_S135.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S135.x)));
-    material_2.base_color_0[i32(1)] = _S139;
-    material_2.base_color_0[i32(2)] = _S140;
-    var _S141 : f32 = (bitcast<f32>((_S136.y)));
-    var _S142 : f32 = (bitcast<f32>((_S136.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((_S136.x)));
-    material_2.emission_0[i32(1)] = _S141;
-    material_2.emission_0[i32(2)] = _S142;
-    var _S143 : f32 = (bitcast<f32>((_S138.y)));
-    var _S144 : f32 = (bitcast<f32>((_S138.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S138.x)));
-    material_2.absorption_0[i32(1)] = _S143;
-    material_2.absorption_0[i32(2)] = _S144;
-    material_2.roughness_0 = (bitcast<f32>((_S135.w)));
-    material_2.metallic_0 = (bitcast<f32>((_S136.w)));
-    material_2.transmission_0 = (bitcast<f32>((_S137.x)));
-    material_2.ior_0 = (bitcast<f32>((_S137.y)));
-    material_2.specular_0 = (bitcast<f32>((_S137.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((_S137.w)));
-    material_2.scattering_0 = (bitcast<f32>((_S138.w)));
+    var _S135 : f32 = (bitcast<f32>((_S131.y)));
+    var _S136 : f32 = (bitcast<f32>((_S131.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S131.x)));
+    material_2.base_color_0[i32(1)] = _S135;
+    material_2.base_color_0[i32(2)] = _S136;
+    var _S137 : f32 = (bitcast<f32>((_S132.y)));
+    var _S138 : f32 = (bitcast<f32>((_S132.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S132.x)));
+    material_2.emission_0[i32(1)] = _S137;
+    material_2.emission_0[i32(2)] = _S138;
+    var _S139 : f32 = (bitcast<f32>((_S134.y)));
+    var _S140 : f32 = (bitcast<f32>((_S134.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S134.x)));
+    material_2.absorption_0[i32(1)] = _S139;
+    material_2.absorption_0[i32(2)] = _S140;
+    material_2.roughness_0 = (bitcast<f32>((_S131.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S132.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S133.x)));
+    material_2.ior_0 = (bitcast<f32>((_S133.y)));
+    material_2.specular_0 = (bitcast<f32>((_S133.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S133.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S134.w)));
     return material_2;
 }
 
 fn material_of_0( hit_2 : Hit_0) -> PackedMaterial_0
 {
-    var _S145 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_2.instance_0).grid_0);
-    return material_of_index_0(material_at_0(_S145, hit_2.voxel_0 - cell_of_0(_S145.origin_3)));
+    var _S141 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_2.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S141, hit_2.voxel_0 - cell_of_0(_S141.origin_3)));
 }
 
 fn material_met_0( path_1 : Path_0,  hit_3 : Hit_0,  beyond_0 : u32) -> PackedMaterial_0
@@ -2327,9 +2273,9 @@ fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_2 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_2) / f32(u32(2) * guess_1) + 0.5f));
-    var _S146 : i32 = i32(guess_1);
-    var root_0 : i32 = _S146 + units_1;
-    var rest_3 : i32 = rest_2 - units_1 * (_S146 + root_0);
+    var _S142 : i32 = i32(guess_1);
+    var root_0 : i32 = _S142 + units_1;
+    var rest_3 : i32 = rest_2 - units_1 * (_S142 + root_0);
     return u32(root_0 + i32(rest_3 > root_0) - i32(rest_3 <= (- root_0)));
 }
 
@@ -2339,32 +2285,32 @@ fn square_root_0( value_1 : f32) -> f32
     {
         return sqrt(value_1);
     }
-    var _S147 : u32 = (bitcast<u32>((value_1)));
-    var exponent_2 : u32 = (_S147 >> (u32(23)));
+    var _S143 : u32 = (bitcast<u32>((value_1)));
+    var exponent_2 : u32 = (_S143 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_1);
     }
-    var mantissa_1 : u32 = (((((_S147 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S143 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
-fn Path_events_0( this_22 : Path_0) -> u32
+fn Path_events_0( this_24 : Path_0) -> u32
 {
-    return this_22.bounce_0;
+    return this_24.bounce_0;
 }
 
 fn pcg4d_0( words_0 : vec4<u32>) -> vec4<u32>
 {
-    var _S148 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_2 : vec4<u32> = _S148;
-    v_2[i32(0)] = v_2[i32(0)] + _S148.y * _S148.w;
+    var _S144 : vec4<u32> = words_0 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_2 : vec4<u32> = _S144;
+    v_2[i32(0)] = v_2[i32(0)] + _S144.y * _S144.w;
     v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
     v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
     v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
-    var _S149 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
-    v_2 = _S149;
-    v_2[i32(0)] = v_2[i32(0)] + _S149.y * _S149.w;
+    var _S145 : vec4<u32> = (v_2 ^ (((v_2 >> (vec4<u32>(u32(16)))))));
+    v_2 = _S145;
+    v_2[i32(0)] = v_2[i32(0)] + _S145.y * _S145.w;
     v_2[i32(1)] = v_2[i32(1)] + v_2.z * v_2.x;
     v_2[i32(2)] = v_2[i32(2)] + v_2.x * v_2.y;
     v_2[i32(3)] = v_2[i32(3)] + v_2.y * v_2.z;
@@ -2376,9 +2322,9 @@ fn unit_float_0( words_1 : vec4<u32>) -> vec4<f32>
     return vec4<f32>((words_1 >> (vec4<u32>(u32(8))))) * vec4<f32>(5.9604644775390625e-08f);
 }
 
-fn Sampler_independent_0( this_23 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
+fn Sampler_independent_0( this_25 : Sampler_0,  dimension_0 : u32) -> vec4<f32>
 {
-    return unit_float_0(pcg4d_0(vec4<u32>(this_23.pixel_0, this_23.sample_0, dimension_0, this_23.seed_1)));
+    return unit_float_0(pcg4d_0(vec4<u32>(this_25.pixel_0, this_25.sample_0, dimension_0, this_25.seed_1)));
 }
 
 struct Key_0
@@ -2395,11 +2341,11 @@ fn inverse_power_of_two_0( x_0 : f32) -> f32
 
 fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S150 : Key_0;
-    _S150.instance_9 = instance_10;
-    _S150.face_and_level_0 = face_and_level_1;
-    _S150.cube_0 = cube_1;
-    return _S150;
+    var _S146 : Key_0;
+    _S146.instance_9 = instance_10;
+    _S146.face_and_level_0 = face_and_level_1;
+    _S146.cube_0 = cube_1;
+    return _S146;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -2407,40 +2353,40 @@ fn scramble_of_0( number_1 : u32) -> u32
     return pcg4d_0(vec4<u32>(number_1, u32(0), u32(0), u32(2654435769))).x;
 }
 
-fn Key_level_0( this_24 : Key_0) -> u32
+fn Key_level_0( this_26 : Key_0) -> u32
 {
-    return ((this_24.face_and_level_0) >> (u32(3)));
+    return ((this_26.face_and_level_0) >> (u32(3)));
 }
 
-fn Key_mask_0( this_25 : Key_0) -> u32
+fn Key_mask_0( this_27 : Key_0) -> u32
 {
-    return ((u32(1) << ((u32(3) * Key_level_0(this_25))))) - u32(1);
+    return ((u32(1) << ((u32(3) * Key_level_0(this_27))))) - u32(1);
 }
 
 fn key_of_0( hit_4 : Hit_0,  size_0 : f32,  u_0 : f32,  code_1 : ptr<function, u32>) -> Key_0
 {
     var clamped_0 : f32 = clamp(size_0, 1.0f, 128.0f);
     var power_0 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S151 : f32;
+    var _S147 : f32;
     if(u_0 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S151 = 1.0f;
+        _S147 = 1.0f;
     }
     else
     {
-        _S151 = 0.0f;
+        _S147 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_0 + _S151, 6.0f));
-    var _S152 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S152)));
-    var _S153 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S152))));
-    (*code_1) = u32(1) + (((((((_S153.x) | ((((_S153.y) << (level_0)))))) | ((((_S153.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_0 + _S147, 6.0f));
+    var _S148 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_4.instance_0, ((hit_4.face_0) | (((level_0 << (u32(3)))))), ((hit_4.voxel_0) >> (_S148)));
+    var _S149 : vec3<u32> = vec3<u32>(hit_4.voxel_0 - (((key_0.cube_0) << (_S148))));
+    (*code_1) = u32(1) + (((((((_S149.x) | ((((_S149.y) << (level_0)))))) | ((((_S149.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
-fn Key_hash_0( this_26 : Key_0) -> vec2<u32>
+fn Key_hash_0( this_28 : Key_0) -> vec2<u32>
 {
-    return pcg4d_0(vec4<u32>(vec3<u32>(this_26.cube_0), this_26.instance_9 * u32(61) + this_26.face_and_level_0)).xy;
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_28.cube_0), this_28.instance_9 * u32(61) + this_28.face_and_level_0)).xy;
 }
 
 fn place_of_check_0( cell_10 : u32) -> u32
@@ -2461,8 +2407,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_11 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S154 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
-        if(_S154 == (max(hash_0.y, u32(1))))
+        var _S150 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_11)]));
+        if(_S150 == (max(hash_0.y, u32(1))))
         {
             return cell_11;
         }
@@ -2489,11 +2435,11 @@ fn place_of_asked_0( cell_14 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S155 : bool;
+    var _S151 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S156 : u32 = max(hash_1.y, u32(1));
+    var _S152 : u32 = max(hash_1.y, u32(1));
     var cell_15 : u32 = find_cell_0(hash_1);
-    var _S157 : vec4<f32> = vec4<f32>(0.0f);
+    var _S153 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_15 != u32(262144))
     {
@@ -2501,7 +2447,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S157;
+        known_0 = _S153;
     }
     var cell_16 : u32 = cell_15;
     var probe_1 : u32 = u32(0);
@@ -2509,13 +2455,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S155 = cell_16 == u32(262144);
+            _S151 = cell_16 == u32(262144);
         }
         else
         {
-            _S155 = false;
+            _S151 = false;
         }
-        if(_S155)
+        if(_S151)
         {
         }
         else
@@ -2523,23 +2469,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_1 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_2 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S156).old_value;
-        var _S158 : bool = found_2 == u32(0);
-        if(_S158)
+        var found_3 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_1)]), u32(0), _S152).old_value;
+        var _S154 : bool = found_3 == u32(0);
+        if(_S154)
         {
             set_cell_row_0(u32(1), place_1, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_1, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S159 : bool;
-        if(_S158)
+        var _S155 : bool;
+        if(_S154)
         {
-            _S159 = true;
+            _S155 = true;
         }
         else
         {
-            _S159 = found_2 == _S156;
+            _S155 = found_3 == _S152;
         }
-        if(_S159)
+        if(_S155)
         {
             cell_16 = place_1;
         }
@@ -2547,61 +2493,61 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_16 != u32(262144))
     {
-        var _S160 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
-        _S155 = _S160 < asked_0;
+        var _S156 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_16)]));
+        _S151 = _S156 < asked_0;
     }
     else
     {
-        _S155 = false;
+        _S151 = false;
     }
-    if(_S155)
+    if(_S151)
     {
-        var _S161 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
+        var _S157 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_16)]), asked_0);
     }
     return known_0;
 }
 
-fn asks_0( path_2 : Path_0,  ray_11 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
+fn asks_0( path_2 : Path_0,  ray_8 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  life_1 : u32,  light_4 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_4) = vec3<f32>(0.0f);
-    var _S162 : bool;
+    var _S158 : bool;
     if(Hit_is_miss_0(hit_5))
     {
-        _S162 = true;
+        _S158 = true;
     }
     else
     {
-        _S162 = Inside_is_in_0(path_2.inside_0);
+        _S158 = Inside_is_in_0(path_2.inside_0);
     }
-    if(_S162)
+    if(_S158)
     {
         return false;
     }
     var material_3 : PackedMaterial_0 = material_met_0(path_2, hit_5, beyond_1);
     if((material_3.metallic_0) > 0.0f)
     {
-        _S162 = true;
+        _S158 = true;
     }
     else
     {
-        _S162 = (material_3.transmission_0) > 0.0f;
+        _S158 = (material_3.transmission_0) > 0.0f;
     }
-    if(_S162)
+    if(_S158)
     {
         return false;
     }
     var code_2 : u32;
-    var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_11.origin_0 + ray_11.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
+    var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_8.origin_0 + ray_8.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
     var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
     if(life_1 == u32(0))
     {
-        _S162 = true;
+        _S158 = true;
     }
     else
     {
-        _S162 = (hit_5.t_0 * square_root_0(length_squared_0(ray_11.direction_0))) < least_0;
+        _S158 = (hit_5.t_0 * square_root_0(length_squared_0(ray_8.direction_0))) < least_0;
     }
-    if(_S162)
+    if(_S158)
     {
         return false;
     }
@@ -2624,7 +2570,7 @@ struct Receiver_0
 
 struct Surface_0
 {
-     origin_9 : vec3<f32>,
+     origin_11 : vec3<f32>,
      normal_3 : vec3<f32>,
      face_2 : u32,
      instance_11 : u32,
@@ -2663,72 +2609,72 @@ fn weighs_apart_0() -> bool
     return false;
 }
 
-fn Path_is_counted_0( this_27 : Path_0) -> bool
+fn Path_is_counted_0( this_29 : Path_0) -> bool
 {
-    var _S163 : bool;
+    var _S159 : bool;
     if(weighs_apart_0())
     {
-        _S163 = (this_27.pdf_1) < 0.0f;
+        _S159 = (this_29.pdf_1) < 0.0f;
     }
     else
     {
-        _S163 = false;
+        _S159 = false;
     }
-    return _S163;
+    return _S159;
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S164 : Receiver_0;
-    _S164.point_0 = point_1;
-    _S164.normal_2 = normal_4;
-    return _S164;
+    var _S160 : Receiver_0;
+    _S160.point_0 = point_1;
+    _S160.normal_2 = normal_4;
+    return _S160;
 }
 
-fn Path_receiver_0( this_28 : Path_0,  ray_12 : Ray_0) -> Receiver_0
+fn Path_receiver_0( this_30 : Path_0,  ray_9 : Ray_0) -> Receiver_0
 {
-    return Receiver_x24init_0(ray_12.origin_0, this_28.normal_0);
+    return Receiver_x24init_0(ray_9.origin_0, this_30.normal_0);
 }
 
-fn Path_dimension_medium_0( this_29 : Path_0) -> u32
+fn Path_dimension_medium_0( this_31 : Path_0) -> u32
 {
-    return u32(2147483648) + this_29.event_0;
+    return u32(2147483648) + this_31.event_0;
 }
 
 fn logarithm_0( x_1 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_1)));
-    var _S165 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S165 > u32(3474675);
+    var _S161 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S161 > u32(3474675);
     var power_1 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S166 : u32;
+    var _S162 : u32;
     if(is_upper_0)
     {
-        _S166 = u32(1056964608);
+        _S162 = u32(1056964608);
     }
     else
     {
-        _S166 = u32(1065353216);
+        _S162 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S165 | (_S166)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S161 | (_S162)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S167 : f32 = f32(power_1);
-    return _S167 * 0.693359375f + (_S167 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S163 : f32 = f32(power_1);
+    return _S163 * 0.693359375f + (_S163 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_1 : f32) -> f32
 {
-    var _S168 : f32;
+    var _S164 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S168 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
+        _S164 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
     }
     else
     {
-        _S168 = (bitcast<f32>(infinity_bits_0));
+        _S164 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S168;
+    return _S164;
 }
 
 fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
@@ -2736,14 +2682,14 @@ fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
     return Transform_direction_0(Instances_operatorx5Bx5D_get_0(instance_12).grid_from_world_0, direction_7);
 }
 
-fn Inside_voxels_per_t_0( this_30 : Inside_0,  ray_13 : Ray_0) -> f32
+fn Inside_voxels_per_t_0( this_32 : Inside_0,  ray_10 : Ray_0) -> f32
 {
-    return square_root_0(length_squared_0(grid_direction_0(this_30.instance_6, ray_13.direction_0)));
+    return square_root_0(length_squared_0(grid_direction_0(this_32.instance_6, ray_10.direction_0)));
 }
 
-fn scattering_t_0( path_4 : Path_0,  inside_1 : Inside_0,  ray_14 : Ray_0) -> f32
+fn scattering_t_0( path_4 : Path_0,  inside_1 : Inside_0,  ray_11 : Ray_0) -> f32
 {
-    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_4.sampler_0, Path_dimension_medium_0(path_4)).x), Inside_voxels_per_t_0(inside_1, ray_14));
+    return divide_0(free_path_0(material_of_index_0(inside_1.material_0), Sampler_independent_0(path_4.sampler_0, Path_dimension_medium_0(path_4)).x), Inside_voxels_per_t_0(inside_1, ray_11));
 }
 
 fn exponential_0( x_2 : f32) -> f32
@@ -2764,9 +2710,9 @@ fn attenuation_0( medium_1 : PackedMaterial_0,  voxels_1 : f32) -> vec3<f32>
     return vec3<f32>(exponential_0(- (sigma_0.x * voxels_1)), exponential_0(- (sigma_0.y * voxels_1)), exponential_0(- (sigma_0.z * voxels_1)));
 }
 
-fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_15 : Ray_0,  t_12 : f32)
+fn absorb_0( path_5 : ptr<function, Path_0>,  inside_2 : Inside_0,  ray_12 : Ray_0,  t_12 : f32)
 {
-    (*path_5).beta_0 = (*path_5).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_15));
+    (*path_5).beta_0 = (*path_5).beta_0 * attenuation_0(material_of_index_0(inside_2.material_0), t_12 * Inside_voxels_per_t_0(inside_2, ray_12));
     return;
 }
 
@@ -2774,19 +2720,19 @@ fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S169 : f32 = d_0.x;
-    var _S170 : f32 = d_0.y;
-    return vec3<f32>(_S169 * cos_0 - _S170 * sin_0, _S169 * sin_0 + _S170 * cos_0, d_0.z);
+    var _S165 : f32 = d_0.x;
+    var _S166 : f32 = d_0.y;
+    return vec3<f32>(_S165 * cos_0 - _S166 * sin_0, _S165 * sin_0 + _S166 * cos_0, d_0.z);
 }
 
 fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 {
-    var _S171 : f32 = min(x_3, y_0);
-    var _S172 : f32 = max(x_3, y_0);
+    var _S167 : f32 = min(x_3, y_0);
+    var _S168 : f32 = max(x_3, y_0);
     var ratio_0 : f32;
-    if(_S172 > 0.0f)
+    if(_S168 > 0.0f)
     {
-        ratio_0 = divide_0(_S171, _S172);
+        ratio_0 = divide_0(_S167, _S168);
     }
     else
     {
@@ -2808,10 +2754,10 @@ fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
 {
     var size_1 : vec3<f32> = abs(direction_8);
-    var _S173 : f32 = size_1.x;
-    var _S174 : f32 = size_1.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S173 * _S173 + _S174 * _S174, 1.0f + size_1.z));
-    var v_3 : f32 = quarter_turns_0(_S173, _S174) * radius_0;
+    var _S169 : f32 = size_1.x;
+    var _S170 : f32 = size_1.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S169 * _S169 + _S170 * _S170, 1.0f + size_1.z));
+    var v_3 : f32 = quarter_turns_0(_S169, _S170) * radius_0;
     var u_2 : f32 = radius_0 - v_3;
     var is_below_1 : bool = (direction_8.z) < 0.0f;
     var u_3 : f32;
@@ -2860,42 +2806,42 @@ fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
     {
         is_beside_0 = x_4 > last_2;
     }
-    var _S175 : i32;
+    var _S171 : i32;
     if(is_beside_0)
     {
-        _S175 = last_2 - y_1;
+        _S171 = last_2 - y_1;
     }
     else
     {
-        _S175 = y_1;
+        _S171 = y_1;
     }
-    var _S176 : i32;
+    var _S172 : i32;
     if(is_beside_0)
     {
-        _S176 = clamp(x_4, i32(0), last_2);
+        _S172 = clamp(x_4, i32(0), last_2);
     }
     else
     {
-        _S176 = x_4;
+        _S172 = x_4;
     }
     var is_beyond_0 : bool;
-    if(_S175 < i32(0))
+    if(_S171 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S175 > last_2;
+        is_beyond_0 = _S171 > last_2;
     }
     if(is_beyond_0)
     {
-        _S176 = last_2 - _S176;
+        _S172 = last_2 - _S172;
     }
     if(is_beyond_0)
     {
-        _S175 = clamp(_S175, i32(0), last_2);
+        _S171 = clamp(_S171, i32(0), last_2);
     }
-    return u32(_S175 * i32(params_0.sky_edge_0) + _S176);
+    return u32(_S171 * i32(params_0.sky_edge_0) + _S172);
 }
 
 fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
@@ -2905,18 +2851,18 @@ fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S177 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S177);
-    var beyond_2 : vec2<f32> = _S177 - corner_1;
+    var _S173 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S173);
+    var beyond_2 : vec2<f32> = _S173 - corner_1;
     var x_6 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S178 : f32 = beyond_2.x;
-    var _S179 : vec3<f32> = vec3<f32>((1.0f - _S178));
-    var _S180 : i32 = x_6 + i32(1);
-    var _S181 : vec3<f32> = vec3<f32>(_S178);
-    var _S182 : i32 = y_3 + i32(1);
-    var _S183 : f32 = beyond_2.y;
-    return (Environment_texel_radiance_0(x_6, y_3) * _S179 + Environment_texel_radiance_0(_S180, y_3) * _S181) * vec3<f32>((1.0f - _S183)) + (Environment_texel_radiance_0(x_6, _S182) * _S179 + Environment_texel_radiance_0(_S180, _S182) * _S181) * vec3<f32>(_S183);
+    var _S174 : f32 = beyond_2.x;
+    var _S175 : vec3<f32> = vec3<f32>((1.0f - _S174));
+    var _S176 : i32 = x_6 + i32(1);
+    var _S177 : vec3<f32> = vec3<f32>(_S174);
+    var _S178 : i32 = y_3 + i32(1);
+    var _S179 : f32 = beyond_2.y;
+    return (Environment_texel_radiance_0(x_6, y_3) * _S175 + Environment_texel_radiance_0(_S176, y_3) * _S177) * vec3<f32>((1.0f - _S179)) + (Environment_texel_radiance_0(x_6, _S178) * _S175 + Environment_texel_radiance_0(_S176, _S178) * _S177) * vec3<f32>(_S179);
 }
 
 fn Environment_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
@@ -2932,15 +2878,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S184 : Gradient_0;
-    _S184.nadir_0 = nadir_1;
-    _S184.zenith_0 = zenith_1;
-    return _S184;
+    var _S180 : Gradient_0;
+    _S180.nadir_0 = nadir_1;
+    _S180.zenith_0 = zenith_1;
+    return _S180;
 }
 
-fn Gradient_radiance_0( this_31 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_33 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
 {
-    return this_31.nadir_0 + (this_31.zenith_0 - this_31.nadir_0) * vec3<f32>((0.5f * (direction_11.z + 1.0f)));
+    return this_33.nadir_0 + (this_33.zenith_0 - this_33.nadir_0) * vec3<f32>((0.5f * (direction_11.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_12 : vec3<f32>) -> vec3<f32>
@@ -2986,29 +2932,29 @@ fn Rows_operatorx5Bx5D_get_3( row_7 : u32) -> vec4<u32>
 fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S185 : f32 = (bitcast<f32>((a_5.y)));
-    var _S186 : f32 = (bitcast<f32>((a_5.z)));
+    var _S181 : f32 = (bitcast<f32>((a_5.y)));
+    var _S182 : f32 = (bitcast<f32>((a_5.z)));
     node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
-    node_0.min_1[i32(1)] = _S185;
-    node_0.min_1[i32(2)] = _S186;
+    node_0.min_1[i32(1)] = _S181;
+    node_0.min_1[i32(2)] = _S182;
     node_0.index_11 = a_5.w;
-    var _S187 : f32 = (bitcast<f32>((b_5.y)));
-    var _S188 : f32 = (bitcast<f32>((b_5.z)));
+    var _S183 : f32 = (bitcast<f32>((b_5.y)));
+    var _S184 : f32 = (bitcast<f32>((b_5.z)));
     node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
-    node_0.max_1[i32(1)] = _S187;
-    node_0.max_1[i32(2)] = _S188;
+    node_0.max_1[i32(1)] = _S183;
+    node_0.max_1[i32(2)] = _S184;
     node_0.count_1 = b_5.w;
-    var _S189 : f32 = (bitcast<f32>((c_1.y)));
-    var _S190 : f32 = (bitcast<f32>((c_1.z)));
-    var _S191 : f32 = (bitcast<f32>((c_1.w)));
-    var _S192 : f32 = (bitcast<f32>((d_1.x)));
-    var _S193 : f32 = (bitcast<f32>((d_1.y)));
+    var _S185 : f32 = (bitcast<f32>((c_1.y)));
+    var _S186 : f32 = (bitcast<f32>((c_1.z)));
+    var _S187 : f32 = (bitcast<f32>((c_1.w)));
+    var _S188 : f32 = (bitcast<f32>((d_1.x)));
+    var _S189 : f32 = (bitcast<f32>((d_1.y)));
     node_0.power_3[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_3[i32(1)] = _S189;
-    node_0.power_3[i32(2)] = _S190;
-    node_0.power_3[i32(3)] = _S191;
-    node_0.power_3[i32(4)] = _S192;
-    node_0.power_3[i32(5)] = _S193;
+    node_0.power_3[i32(1)] = _S185;
+    node_0.power_3[i32(2)] = _S186;
+    node_0.power_3[i32(3)] = _S187;
+    node_0.power_3[i32(4)] = _S188;
+    node_0.power_3[i32(5)] = _S189;
     node_0.parent_0 = d_1.z;
     node_0.root_1 = d_1.w;
     return node_0;
@@ -3016,8 +2962,8 @@ fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : 
 
 fn top_light_node_0( index_12 : u32) -> LightNode_0
 {
-    var _S194 : u32 = u32(4) * index_12;
-    return light_node_of_0(Rows_operatorx5Bx5D_get_3(_S194), Rows_operatorx5Bx5D_get_3(_S194 + u32(1)), Rows_operatorx5Bx5D_get_3(_S194 + u32(2)), Rows_operatorx5Bx5D_get_3(_S194 + u32(3)));
+    var _S190 : u32 = u32(4) * index_12;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_3(_S190), Rows_operatorx5Bx5D_get_3(_S190 + u32(1)), Rows_operatorx5Bx5D_get_3(_S190 + u32(2)), Rows_operatorx5Bx5D_get_3(_S190 + u32(3)));
 }
 
 struct View_0
@@ -3033,28 +2979,28 @@ fn length_bound_0( absolute_0 : vec3<f32>) -> f32
 
 struct BySide_0
 {
-     low_7 : vec3<f32>,
+     low_10 : vec3<f32>,
      high_4 : vec3<f32>,
 };
 
-fn BySide_x24init_0( low_8 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
+fn BySide_x24init_0( low_11 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S195 : BySide_0;
-    _S195.low_7 = low_8;
-    _S195.high_4 = high_5;
-    return _S195;
+    var _S191 : BySide_0;
+    _S191.low_10 = low_11;
+    _S191.high_4 = high_5;
+    return _S191;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S196 : vec3<f32> = vec3<f32>(0.0f);
-    var _S197 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S196), _S197), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S196), _S197));
+    var _S192 : vec3<f32> = vec3<f32>(0.0f);
+    var _S193 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S192), _S193), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S192), _S193));
 }
 
-fn BySide_sum_0( this_32 : BySide_0) -> f32
+fn BySide_sum_0( this_34 : BySide_0) -> f32
 {
-    var axes_0 : vec3<f32> = this_32.low_7 + this_32.high_4;
+    var axes_0 : vec3<f32> = this_34.low_10 + this_34.high_4;
     return axes_0.x + axes_0.y + axes_0.z;
 }
 
@@ -3066,19 +3012,19 @@ fn reciprocal_guess_0( x_7 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S198 : View_0;
-    _S198.importance_0 = importance_1;
-    _S198.is_far_0 = is_far_1;
-    return _S198;
+    var _S194 : View_0;
+    _S194.importance_0 = importance_1;
+    _S194.is_far_0 = is_far_1;
+    return _S194;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
 {
-    var _S199 : vec3<f32> = vector_of_0(node_2.max_1);
-    var _S200 : vec3<f32> = vector_of_0(node_2.min_1);
-    var _S201 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S199 - _S200) * _S201;
-    var toward_0 : vec3<f32> = (_S200 + _S199) * _S201 - receiver_2.point_0;
+    var _S195 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S196 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S197 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S195 - _S196) * _S197;
+    var toward_0 : vec3<f32> = (_S196 + _S195) * _S197 - receiver_2.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_2));
     var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
@@ -3096,16 +3042,16 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S202 : f32;
+    var _S198 : f32;
     if(above_0 > 0.0f)
     {
-        _S202 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S198 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S202 = 0.0f;
+        _S198 = 0.0f;
     }
-    return View_x24init_0(_S202, is_far_2);
+    return View_x24init_0(_S198, is_far_2);
 }
 
 fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
@@ -3144,25 +3090,25 @@ fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S203 : bool;
+    var _S199 : bool;
     if(SKY_0 == u32(1))
     {
-        _S203 = (params_0.sky_irradiance_0) > 0.0f;
+        _S199 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S203 = false;
+        _S199 = false;
     }
-    return _S203;
+    return _S199;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S204 : Selection_0;
-    _S204.sun_0 = sun_1;
-    _S204.sky_1 = sky_2;
-    _S204.emitters_0 = emitters_1;
-    return _S204;
+    var _S200 : Selection_0;
+    _S200.sun_0 = sun_1;
+    _S200.sky_1 = sky_2;
+    _S200.emitters_0 = emitters_1;
+    return _S200;
 }
 
 fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
@@ -3193,11 +3139,11 @@ fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
-    var _S205 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S205, sky_3, (1.0f - sun_2) * _S205);
+    var _S201 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S201, sky_3, (1.0f - sun_2) * _S201);
 }
 
-fn Path_selection_at_0( this_33 : Path_0,  last_3 : Receiver_0) -> Selection_0
+fn Path_selection_at_0( this_35 : Path_0,  last_3 : Receiver_0) -> Selection_0
 {
     return Lights_selection_0(last_3);
 }
@@ -3211,30 +3157,30 @@ fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S206 : f32;
+    var _S202 : f32;
     if(SKY_0 == u32(1))
     {
-        _S206 = Environment_pdf_0(direction_15);
+        _S202 = Environment_pdf_0(direction_15);
     }
     else
     {
-        _S206 = 0.0f;
+        _S202 = 0.0f;
     }
-    return _S206;
+    return _S202;
 }
 
 fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
 {
-    var _S207 : f32;
+    var _S203 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S207 = Sky_pdf_0(direction_16) * selection_1.sky_1;
+        _S203 = Sky_pdf_0(direction_16) * selection_1.sky_1;
     }
     else
     {
-        _S207 = 0.0f;
+        _S203 = 0.0f;
     }
-    return _S207;
+    return _S203;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3245,16 +3191,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S208 : bool;
+    var _S204 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S208 = true;
+        _S204 = true;
     }
     else
     {
-        _S208 = light_pdf_0 == 0.0f;
+        _S204 = light_pdf_0 == 0.0f;
     }
-    if(_S208)
+    if(_S204)
     {
         return 1.0f;
     }
@@ -3266,26 +3212,26 @@ fn SunDisc_is_visible_0() -> bool
     return (params_0.hides_sun_disc_0) == u32(0);
 }
 
-fn Path_is_straight_0( this_34 : Path_0) -> bool
+fn Path_is_straight_0( this_36 : Path_0) -> bool
 {
-    var _S209 : bool;
-    if((this_34.bounce_0) == u32(0))
+    var _S205 : bool;
+    if((this_36.bounce_0) == u32(0))
     {
-        _S209 = (this_34.pdf_1) == 0.0f;
+        _S205 = (this_36.pdf_1) == 0.0f;
     }
     else
     {
-        _S209 = false;
+        _S205 = false;
     }
-    if(_S209)
+    if(_S205)
     {
-        _S209 = (all(((this_34.normal_0) == vec3<f32>(0.0f))));
+        _S205 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S209 = false;
+        _S205 = false;
     }
-    return _S209;
+    return _S205;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3295,49 +3241,49 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S210 : vec3<f32>;
+    var _S206 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S210 = params_0.sun_radiance_0;
+        _S206 = params_0.sun_radiance_0;
     }
     else
     {
-        _S210 = vec3<f32>(0.0f);
+        _S206 = vec3<f32>(0.0f);
     }
-    return _S210;
+    return _S206;
 }
 
 fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
-    var _S211 : f32;
+    var _S207 : f32;
     if(SunDisc_contains_0(direction_19))
     {
-        _S211 = params_0.sun_pdf_0;
+        _S207 = params_0.sun_pdf_0;
     }
     else
     {
-        _S211 = 0.0f;
+        _S207 = 0.0f;
     }
-    return _S211;
+    return _S207;
 }
 
 fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
 {
-    var _S212 : f32;
+    var _S208 : f32;
     if(has_sun_0())
     {
-        _S212 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
+        _S208 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
     }
     else
     {
-        _S212 = 0.0f;
+        _S208 = 0.0f;
     }
-    return _S212;
+    return _S208;
 }
 
-fn Path_dimension_scatter_0( this_35 : Path_0) -> u32
+fn Path_dimension_scatter_0( this_37 : Path_0) -> u32
 {
-    return u32(1) + u32(2) * Path_events_0(this_35);
+    return u32(1) + u32(2) * Path_events_0(this_37);
 }
 
 fn owen_of_reversed_0( reversed_0 : u32,  seed_2 : u32) -> u32
@@ -3359,15 +3305,15 @@ fn scrambled_sobol_0( sample_1 : u32,  order_0 : u32,  seeds_0 : vec2<u32>) -> v
     return vec2<u32>(owen_of_reversed_0(index_13, seeds_0.x), owen_of_reversed_0((binomial_3 ^ (((((binomial_3 >> (u32(16)))) & (u32(65535)))))), seeds_0.y));
 }
 
-fn Sampler_pair_0( this_36 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
+fn Sampler_pair_0( this_38 : Sampler_0,  dimension_1 : u32,  which_0 : u32) -> vec2<u32>
 {
-    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_36.pixel_0, dimension_1, this_36.seed_1, which_0));
-    return scrambled_sobol_0(this_36.sample_0, words_2.x, words_2.yz);
+    var words_2 : vec4<u32> = pcg4d_0(vec4<u32>(this_38.pixel_0, dimension_1, this_38.seed_1, which_0));
+    return scrambled_sobol_0(this_38.sample_0, words_2.x, words_2.yz);
 }
 
-fn Sampler_stratified_0( this_37 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
+fn Sampler_stratified_0( this_39 : Sampler_0,  dimension_2 : u32) -> vec4<f32>
 {
-    return unit_float_0(vec4<u32>(Sampler_pair_0(this_37, dimension_2, u32(1)), Sampler_pair_0(this_37, dimension_2, u32(2))));
+    return unit_float_0(vec4<u32>(Sampler_pair_0(this_39, dimension_2, u32(1)), Sampler_pair_0(this_39, dimension_2, u32(2))));
 }
 
 fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -3395,36 +3341,36 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S213 : Aim_0;
-    _S213.is_met_0 = is_met_1;
-    _S213.direction_21 = direction_22;
-    _S213.hit_6 = hit_7;
-    _S213.luminance_1 = luminance_2;
-    return _S213;
+    var _S209 : Aim_0;
+    _S209.is_met_0 = is_met_1;
+    _S209.direction_21 = direction_22;
+    _S209.hit_6 = hit_7;
+    _S209.luminance_1 = luminance_2;
+    return _S209;
 }
 
 struct LightSample_0
 {
-     ray_16 : Ray_0,
+     ray_13 : Ray_0,
      cos_theta_2 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
-fn LightSample_x24init_0( ray_17 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S214 : LightSample_0;
-    _S214.ray_16 = ray_17;
-    _S214.cos_theta_2 = cos_theta_3;
-    _S214.radiance_1 = radiance_2;
-    _S214.pdf_2 = pdf_3;
-    return _S214;
+    var _S210 : LightSample_0;
+    _S210.ray_13 = ray_14;
+    _S210.cos_theta_2 = cos_theta_3;
+    _S210.radiance_1 = radiance_2;
+    _S210.pdf_2 = pdf_3;
+    return _S210;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S215 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S215, 0.0f, _S215, 0.0f), 0.0f, _S215, 0.0f);
+    var _S211 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S211, 0.0f, _S211, 0.0f), 0.0f, _S211, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3455,9 +3401,9 @@ fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
     }
 }
 
-fn ray_from_0( origin_10 : vec3<f32>,  direction_23 : vec3<f32>) -> Ray_0
+fn ray_from_0( origin_12 : vec3<f32>,  direction_23 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_10, 0.0f, direction_23, (bitcast<f32>(infinity_bits_0)));
+    return Ray_x24init_0(origin_12, 0.0f, direction_23, (bitcast<f32>(infinity_bits_0)));
 }
 
 fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_4 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
@@ -3480,36 +3426,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S216 : ChosenDirection_0;
-    _S216.direction_25 = direction_26;
-    _S216.radiance_3 = radiance_4;
-    _S216.pdf_4 = pdf_5;
-    return _S216;
+    var _S212 : ChosenDirection_0;
+    _S212.direction_25 = direction_26;
+    _S212.radiance_3 = radiance_4;
+    _S212.pdf_4 = pdf_5;
+    return _S212;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S217 : f32 = abs(u_5);
-    var _S218 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S217 + _S218);
+    var _S213 : f32 = abs(u_5);
+    var _S214 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S213 + _S214);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S218 - _S217, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S214 - _S213, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S219 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S219);
+    var _S215 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S215);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S219;
+    var z_0 : f32 = 1.0f - _S215;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3518,45 +3464,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S220 : f32;
+    var _S216 : f32;
     if(v_5 < 0.0f)
     {
-        _S220 = - y_4;
+        _S216 = - y_4;
     }
     else
     {
-        _S220 = y_4;
+        _S216 = y_4;
     }
-    var _S221 : f32;
+    var _S217 : f32;
     if(height_1 < 0.0f)
     {
-        _S221 = - z_0;
+        _S217 = - z_0;
     }
     else
     {
-        _S221 = z_0;
+        _S217 = z_0;
     }
-    return vec3<f32>(turns_2, _S220, _S221);
+    return vec3<f32>(turns_2, _S216, _S217);
 }
 
 fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S222 : f32 = d_2.x;
-    var _S223 : f32 = d_2.y;
-    return vec3<f32>(_S222 * cos_3 + _S223 * sin_2, _S223 * cos_3 - _S222 * sin_2, d_2.z);
+    var _S218 : f32 = d_2.x;
+    var _S219 : f32 = d_2.y;
+    return vec3<f32>(_S218 * cos_3 + _S219 * sin_2, _S219 * cos_3 - _S218 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S224 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S224, _S224, 0.0f);
+    var _S220 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S220, _S220, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S225 : f32 = u_6.x * edge_0;
-    var _S226 : f32 = edge_0 - 1.0f;
-    var _S227 : f32 = min(floor(_S225), _S226);
-    var own_1 : u32 = u32(_S227) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S226));
+    var _S221 : f32 = u_6.x * edge_0;
+    var _S222 : f32 = edge_0 - 1.0f;
+    var _S223 : f32 = min(floor(_S221), _S222);
+    var own_1 : u32 = u32(_S223) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S222));
     var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
@@ -3571,10 +3517,10 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S228 : u32 = index_14 % params_0.sky_edge_0;
-    var _S229 : f32 = f32(_S228);
-    var _S230 : u32 = index_14 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S229, f32(_S230)) + vec2<f32>(min(_S225 - _S227, 1.0f), u_6.w);
+    var _S224 : u32 = index_14 % params_0.sky_edge_0;
+    var _S225 : f32 = f32(_S224);
+    var _S226 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S225, f32(_S226)) + vec2<f32>(min(_S221 - _S223, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3583,17 +3529,17 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<func
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S231 : bool;
+    var _S227 : bool;
     if(SKY_0 != u32(1))
     {
-        _S231 = true;
+        _S227 = true;
     }
     else
     {
-        var _S232 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S231 = !_S232;
+        var _S228 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S227 = !_S228;
     }
-    if(_S231)
+    if(_S227)
     {
         return false;
     }
@@ -3615,15 +3561,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S233 : Descent_0;
-    _S233.node_3 = node_4;
-    _S233.index_15 = index_16;
-    _S233.count_2 = count_3;
-    _S233.weight_0 = weight_1;
-    _S233.total_0 = total_1;
-    _S233.choice_0 = choice_1;
-    _S233.is_far_3 = is_far_4;
-    return _S233;
+    var _S229 : Descent_0;
+    _S229.node_3 = node_4;
+    _S229.index_15 = index_16;
+    _S229.count_2 = count_3;
+    _S229.weight_0 = weight_1;
+    _S229.total_0 = total_1;
+    _S229.choice_0 = choice_1;
+    _S229.is_far_3 = is_far_4;
+    return _S229;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -3631,36 +3577,36 @@ fn TopLights_node_0( index_17 : u32) -> LightNode_0
     return top_light_node_0(index_17);
 }
 
-fn Descent_at_0( this_38 : ptr<function, Descent_0>,  root_2 : u32)
+fn Descent_at_0( this_40 : ptr<function, Descent_0>,  root_2 : u32)
 {
     var node_5 : LightNode_0 = TopLights_node_0(root_2);
-    (*this_38).node_3 = root_2;
-    (*this_38).index_15 = node_5.index_11;
-    (*this_38).count_2 = node_5.count_1;
-    (*this_38).is_far_3 = false;
+    (*this_40).node_3 = root_2;
+    (*this_40).index_15 = node_5.index_11;
+    (*this_40).count_2 = node_5.count_1;
+    (*this_40).is_far_3 = false;
     return;
 }
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S234 : f32;
+    var _S230 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S234 = 0.0f;
+        _S230 = 0.0f;
     }
     else
     {
-        _S234 = weight_2;
+        _S230 = weight_2;
     }
-    return _S234;
+    return _S230;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S235 : f32 = normal_or_zero_0(left_0);
-    var _S236 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S235 + _S236);
-    return vec2<f32>(normal_or_zero_0(_S235 * unit_0), normal_or_zero_0(_S236 * unit_0));
+    var _S231 : f32 = normal_or_zero_0(left_0);
+    var _S232 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S231 + _S232);
+    return vec2<f32>(normal_or_zero_0(_S231 * unit_0), normal_or_zero_0(_S232 * unit_0));
 }
 
 fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3669,7 +3615,7 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S237 : LightNode_0 = node_6;
+        var _S233 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3677,59 +3623,59 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S237.parent_0);
-        var _S238 : u32 = _S237.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S238;
-        var _S239 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S233.parent_0);
+        var _S234 : u32 = _S233.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S234;
+        var _S235 : u32;
         if(is_left_0)
         {
-            _S239 = parent_1.index_11;
+            _S235 = parent_1.index_11;
         }
         else
         {
-            _S239 = _S238;
+            _S235 = _S234;
         }
-        var _S240 : View_0 = view_0(node_6, receiver_10);
-        var _S241 : View_0 = view_0(top_light_node_0(_S239), receiver_10);
-        var _S242 : f32;
+        var _S236 : View_0 = view_0(node_6, receiver_10);
+        var _S237 : View_0 = view_0(top_light_node_0(_S235), receiver_10);
+        var _S238 : f32;
         if(is_left_0)
         {
-            _S242 = _S240.importance_0;
+            _S238 = _S236.importance_0;
         }
         else
         {
-            _S242 = _S241.importance_0;
+            _S238 = _S237.importance_0;
         }
-        var _S243 : f32;
+        var _S239 : f32;
         if(is_left_0)
         {
-            _S243 = _S241.importance_0;
+            _S239 = _S237.importance_0;
         }
         else
         {
-            _S243 = _S240.importance_0;
+            _S239 = _S236.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S242, _S243);
-        var _S244 : f32 = weights_0.x;
-        var _S245 : f32 = weights_0.y;
-        var total_2 : f32 = _S244 + _S245;
+        var weights_0 : vec2<f32> = weights_of_0(_S238, _S239);
+        var _S240 : f32 = weights_0.x;
+        var _S241 : f32 = weights_0.y;
+        var total_2 : f32 = _S240 + _S241;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S246 : f32;
+        var _S242 : f32;
         if(is_left_0)
         {
-            _S246 = _S244;
+            _S242 = _S240;
         }
         else
         {
-            _S246 = _S245;
+            _S242 = _S241;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S246;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S242;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S237.parent_0;
+        at_1 = _S233.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3743,16 +3689,16 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S247 : bool;
+        var _S243 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S247 = !(*descent_1).is_far_3;
+            _S243 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S247 = false;
+            _S243 = false;
         }
-        if(_S247)
+        if(_S243)
         {
         }
         else
@@ -3766,29 +3712,29 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
-        var _S248 : f32 = weights_1.x;
-        var _S249 : f32 = weights_1.y;
-        var total_3 : f32 = _S248 + _S249;
+        var _S244 : f32 = weights_1.x;
+        var _S245 : f32 = weights_1.y;
+        var total_3 : f32 = _S244 + _S245;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S250 : bool;
-        if(_S249 <= 0.0f)
+        var _S246 : bool;
+        if(_S245 <= 0.0f)
         {
-            _S250 = true;
+            _S246 = true;
         }
         else
         {
-            _S250 = ((*descent_1).choice_0 * total_3) < (_S248 * (*descent_1).weight_0);
+            _S246 = ((*descent_1).choice_0 * total_3) < (_S244 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S251 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S251 >= (vector_of_0(left_1.min_1))))))
+            var _S247 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S247 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S251 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S247 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -3797,63 +3743,63 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S250;
+            is_left_1 = _S246;
         }
-        var _S252 : f32 = (*descent_1).choice_0 * total_3;
+        var _S248 : f32 = (*descent_1).choice_0 * total_3;
+        var _S249 : f32;
+        if(is_left_1)
+        {
+            _S249 = 0.0f;
+        }
+        else
+        {
+            _S249 = _S244 * (*descent_1).weight_0;
+        }
+        (*descent_1).choice_0 = _S248 - _S249;
+        var _S250 : u32;
+        if(is_left_1)
+        {
+            _S250 = (*descent_1).node_3 + u32(1);
+        }
+        else
+        {
+            _S250 = (*descent_1).index_15;
+        }
+        (*descent_1).node_3 = _S250;
+        var _S251 : u32;
+        if(is_left_1)
+        {
+            _S251 = left_1.index_11;
+        }
+        else
+        {
+            _S251 = right_1.index_11;
+        }
+        (*descent_1).index_15 = _S251;
+        var _S252 : u32;
+        if(is_left_1)
+        {
+            _S252 = left_1.count_1;
+        }
+        else
+        {
+            _S252 = right_1.count_1;
+        }
+        (*descent_1).count_2 = _S252;
+        (*descent_1).is_far_3 = false;
         var _S253 : f32;
         if(is_left_1)
         {
-            _S253 = 0.0f;
+            _S253 = _S244;
         }
         else
         {
-            _S253 = _S248 * (*descent_1).weight_0;
+            _S253 = _S245;
         }
-        (*descent_1).choice_0 = _S252 - _S253;
-        var _S254 : u32;
-        if(is_left_1)
-        {
-            _S254 = (*descent_1).node_3 + u32(1);
-        }
-        else
-        {
-            _S254 = (*descent_1).index_15;
-        }
-        (*descent_1).node_3 = _S254;
-        var _S255 : u32;
-        if(is_left_1)
-        {
-            _S255 = left_1.index_11;
-        }
-        else
-        {
-            _S255 = right_1.index_11;
-        }
-        (*descent_1).index_15 = _S255;
-        var _S256 : u32;
-        if(is_left_1)
-        {
-            _S256 = left_1.count_1;
-        }
-        else
-        {
-            _S256 = right_1.count_1;
-        }
-        (*descent_1).count_2 = _S256;
-        (*descent_1).is_far_3 = false;
-        var _S257 : f32;
-        if(is_left_1)
-        {
-            _S257 = _S248;
-        }
-        else
-        {
-            _S257 = _S249;
-        }
-        var _S258 : f32 = (*descent_1).weight_0 * _S257;
-        (*descent_1).weight_0 = _S258;
+        var _S254 : f32 = (*descent_1).weight_0 * _S253;
+        (*descent_1).weight_0 = _S254;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S258 <= 0.0f)
+        if(_S254 <= 0.0f)
         {
             return false;
         }
@@ -3872,8 +3818,8 @@ fn in_grid_0( instance_13 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     {
         return receiver_12;
     }
-    var _S259 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
-    return Receiver_x24init_0(Transform_point_0(_S259.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S259.grid_from_world_0, receiver_12.normal_2)));
+    var _S255 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
+    return Receiver_x24init_0(Transform_point_0(_S255.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S255.grid_from_world_0, receiver_12.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3895,8 +3841,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S260 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S260), Rows_operatorx5Bx5D_get_4(_S260 + u32(1)), Rows_operatorx5Bx5D_get_4(_S260 + u32(2)), Rows_operatorx5Bx5D_get_4(_S260 + u32(3)));
+        var _S256 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S256), Rows_operatorx5Bx5D_get_4(_S256 + u32(1)), Rows_operatorx5Bx5D_get_4(_S256 + u32(2)), Rows_operatorx5Bx5D_get_4(_S256 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -3939,13 +3885,13 @@ fn GridLights_node_0( index_19 : u32) -> LightNode_0
     return light_node_at_0(index_19);
 }
 
-fn Descent_at_1( this_39 : ptr<function, Descent_0>,  root_3 : u32)
+fn Descent_at_1( this_41 : ptr<function, Descent_0>,  root_3 : u32)
 {
     var node_9 : LightNode_0 = GridLights_node_0(root_3);
-    (*this_39).node_3 = root_3;
-    (*this_39).index_15 = node_9.index_11;
-    (*this_39).count_2 = node_9.count_1;
-    (*this_39).is_far_3 = false;
+    (*this_41).node_3 = root_3;
+    (*this_41).index_15 = node_9.index_11;
+    (*this_41).count_2 = node_9.count_1;
+    (*this_41).is_far_3 = false;
     return;
 }
 
@@ -3953,16 +3899,16 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S261 : bool;
+        var _S257 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S261 = !(*descent_2).is_far_3;
+            _S257 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S261 = false;
+            _S257 = false;
         }
-        if(_S261)
+        if(_S257)
         {
         }
         else
@@ -3978,29 +3924,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_13);
         var of_right_0 : View_0 = view_0(right_2, receiver_13);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S262 : f32 = weights_2.x;
-        var _S263 : f32 = weights_2.y;
-        var total_4 : f32 = _S262 + _S263;
+        var _S258 : f32 = weights_2.x;
+        var _S259 : f32 = weights_2.y;
+        var total_4 : f32 = _S258 + _S259;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S264 : bool;
-        if(_S263 <= 0.0f)
+        var _S260 : bool;
+        if(_S259 <= 0.0f)
         {
-            _S264 = true;
+            _S260 = true;
         }
         else
         {
-            _S264 = ((*descent_2).choice_0 * total_4) < (_S262 * (*descent_2).weight_0);
+            _S260 = ((*descent_2).choice_0 * total_4) < (_S258 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S265 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S265 >= (vector_of_0(left_2.min_1))))))
+            var _S261 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S261 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S265 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S261 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -4009,72 +3955,72 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S264;
+            is_left_2 = _S260;
         }
-        var _S266 : f32 = (*descent_2).choice_0 * total_4;
-        var _S267 : f32;
+        var _S262 : f32 = (*descent_2).choice_0 * total_4;
+        var _S263 : f32;
         if(is_left_2)
         {
-            _S267 = 0.0f;
+            _S263 = 0.0f;
         }
         else
         {
-            _S267 = _S262 * (*descent_2).weight_0;
+            _S263 = _S258 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S266 - _S267;
-        var _S268 : u32;
+        (*descent_2).choice_0 = _S262 - _S263;
+        var _S264 : u32;
         if(is_left_2)
         {
-            _S268 = (*descent_2).node_3 + u32(1);
+            _S264 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S268 = (*descent_2).index_15;
+            _S264 = (*descent_2).index_15;
         }
-        (*descent_2).node_3 = _S268;
-        var _S269 : u32;
+        (*descent_2).node_3 = _S264;
+        var _S265 : u32;
         if(is_left_2)
         {
-            _S269 = left_2.index_11;
+            _S265 = left_2.index_11;
         }
         else
         {
-            _S269 = right_2.index_11;
+            _S265 = right_2.index_11;
         }
-        (*descent_2).index_15 = _S269;
-        var _S270 : u32;
+        (*descent_2).index_15 = _S265;
+        var _S266 : u32;
         if(is_left_2)
         {
-            _S270 = left_2.count_1;
+            _S266 = left_2.count_1;
         }
         else
         {
-            _S270 = right_2.count_1;
+            _S266 = right_2.count_1;
         }
-        (*descent_2).count_2 = _S270;
-        var _S271 : bool;
+        (*descent_2).count_2 = _S266;
+        var _S267 : bool;
         if(is_left_2)
         {
-            _S271 = of_left_0.is_far_0;
+            _S267 = of_left_0.is_far_0;
         }
         else
         {
-            _S271 = of_right_0.is_far_0;
+            _S267 = of_right_0.is_far_0;
         }
-        (*descent_2).is_far_3 = _S271;
-        var _S272 : f32;
+        (*descent_2).is_far_3 = _S267;
+        var _S268 : f32;
         if(is_left_2)
         {
-            _S272 = _S262;
+            _S268 = _S258;
         }
         else
         {
-            _S272 = _S263;
+            _S268 = _S259;
         }
-        var _S273 : f32 = (*descent_2).weight_0 * _S272;
-        (*descent_2).weight_0 = _S273;
+        var _S269 : f32 = (*descent_2).weight_0 * _S268;
+        (*descent_2).weight_0 = _S269;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S273 <= 0.0f)
+        if(_S269 <= 0.0f)
         {
             return false;
         }
@@ -4085,29 +4031,29 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S274 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S275 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S276 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S274 - _S275) * _S276;
-    var toward_1 : vec3<f32> = (_S275 + _S274) * _S276 - point_3;
+    var _S270 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S271 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S272 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S270 - _S271) * _S272;
+    var toward_1 : vec3<f32> = (_S271 + _S270) * _S272 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S277 : f32 = way_4.choice_0 * total_5;
-    var _S278 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(sent_1.low_7[u32(0)] * unit_1);
-    var _S279 : bool;
+    var _S273 : f32 = way_4.choice_0 * total_5;
+    var _S274 : u32 = (*side_0);
+    var share_0 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_1);
+    var _S275 : bool;
     if(is_met_2)
     {
-        _S279 = u32(0) == _S278;
+        _S275 = u32(0) == _S274;
     }
     else
     {
-        _S279 = share_0 > 0.0f;
+        _S275 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S279)
+    if(_S275)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -4116,145 +4062,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S280 : bool = _S277 < (share_0 * way_4.weight_0);
+    var _S276 : bool = _S273 < (share_0 * way_4.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S279 = u32(1) == _S278;
+        _S275 = u32(1) == _S274;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S279 = !_S280;
+            _S275 = !_S276;
         }
         else
         {
-            _S279 = false;
+            _S275 = false;
         }
     }
-    if(_S279)
+    if(_S275)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S280)
+    if(_S276)
     {
-        _S279 = true;
+        _S275 = true;
     }
     else
     {
-        _S279 = _S277 < (passed_0 * way_4.weight_0);
+        _S275 = _S273 < (passed_0 * way_4.weight_0);
     }
-    var share_2 : f32 = normal_or_zero_0(sent_1.low_7[u32(1)] * unit_1);
-    var _S281 : bool;
+    var share_2 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_1);
+    var _S277 : bool;
     if(is_met_2)
     {
-        _S281 = u32(2) == _S278;
+        _S277 = u32(2) == _S274;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S281 = !_S279;
+            _S277 = !_S275;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
     }
-    if(_S281)
+    if(_S277)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S279)
+    if(_S275)
     {
-        _S279 = true;
+        _S275 = true;
     }
     else
     {
-        _S279 = _S277 < (passed_1 * way_4.weight_0);
+        _S275 = _S273 < (passed_1 * way_4.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S281 = u32(3) == _S278;
+        _S277 = u32(3) == _S274;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S281 = !_S279;
+            _S277 = !_S275;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
     }
-    if(_S281)
+    if(_S277)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S279)
+    if(_S275)
     {
-        _S279 = true;
+        _S275 = true;
     }
     else
     {
-        _S279 = _S277 < (passed_2 * way_4.weight_0);
+        _S275 = _S273 < (passed_2 * way_4.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.low_7[u32(2)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S281 = u32(4) == _S278;
+        _S277 = u32(4) == _S274;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S281 = !_S279;
+            _S277 = !_S275;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
     }
-    if(_S281)
+    if(_S277)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S279)
+    if(_S275)
     {
-        _S279 = true;
+        _S275 = true;
     }
     else
     {
-        _S279 = _S277 < (passed_3 * way_4.weight_0);
+        _S275 = _S273 < (passed_3 * way_4.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S279 = u32(5) == _S278;
+        _S275 = u32(5) == _S274;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S279 = !_S279;
+            _S275 = !_S275;
         }
         else
         {
-            _S279 = false;
+            _S275 = false;
         }
     }
-    if(_S279)
+    if(_S275)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -4262,13 +4208,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S279 = ((*odds_0).x) > 0.0f;
+        _S275 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S279 = false;
+        _S275 = false;
     }
-    return _S279;
+    return _S275;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
@@ -4278,16 +4224,16 @@ fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S282 : u32;
+    var _S278 : u32;
     if(lights_in_pages_0())
     {
-        _S282 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S278 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S282 = light_node_word_0(index_21, u32(8) + side_1);
+        _S278 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S282)));
+    return (bitcast<f32>((_S278)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4324,7 +4270,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
 struct Emitter_0
 {
      voxel_24 : array<i32, i32(3)>,
-     grid_9 : u32,
+     grid_10 : u32,
      faces_0 : u32,
      material_6 : u32,
      luminance_4 : f32,
@@ -4358,57 +4304,57 @@ fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S283 : u32;
+    var _S279 : u32;
     if(lights_in_pages_0())
     {
-        _S283 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S279 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S283 = emitter_word_0(index_24, u32(4));
+        _S279 = emitter_word_0(index_24, u32(4));
     }
-    return _S283;
+    return _S279;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S284 : f32;
+    var _S280 : f32;
     if(lights_in_pages_0())
     {
-        _S284 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+        _S280 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S284 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S280 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S284;
+    return _S280;
 }
 
-fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_10 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_11 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S285 : Emitter_0;
-    _S285.voxel_24 = voxel_25;
-    _S285.grid_9 = grid_10;
-    _S285.faces_0 = faces_1;
-    _S285.material_6 = material_7;
-    _S285.luminance_4 = luminance_5;
-    _S285.leaf_0 = leaf_1;
-    return _S285;
+    var _S281 : Emitter_0;
+    _S281.voxel_24 = voxel_25;
+    _S281.grid_10 = grid_11;
+    _S281.faces_0 = faces_1;
+    _S281.material_6 = material_7;
+    _S281.luminance_4 = luminance_5;
+    _S281.leaf_0 = leaf_1;
+    return _S281;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S286 : u32 = u32(2) * index_26;
-        var _S287 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S286);
-        var _S288 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S286 + u32(1));
-        var _S289 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S287.x), i32(_S287.y), i32(_S287.z) );
-        return Emitter_x24init_0(_S289, _S287.w, _S288.x, _S288.y, (bitcast<f32>((_S288.z))), _S288.w);
+        var _S282 : u32 = u32(2) * index_26;
+        var _S283 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S282);
+        var _S284 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S282 + u32(1));
+        var _S285 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S283.x), i32(_S283.y), i32(_S283.z) );
+        return Emitter_x24init_0(_S285, _S283.w, _S284.x, _S284.y, (bitcast<f32>((_S284.z))), _S284.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S290 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S290, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S286 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S286, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -4418,7 +4364,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_4 : u32 = way_5.count_2;
     var node_11 : u32 = way_5.node_3;
     var index_27 : u32 = way_5.index_15;
-    var _S291 : f32 = threshold_1;
+    var _S287 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -4438,7 +4384,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        if(_S291 < power_left_0)
+        if(_S287 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4451,7 +4397,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S291 = _S291 - power_left_0;
+            _S287 = _S287 - power_left_0;
         }
         if(is_left_3)
         {
@@ -4462,9 +4408,9 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             node_11 = index_27;
         }
         var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S292 : u32 = below_0.x;
+        var _S288 : u32 = below_0.x;
         count_4 = below_0.y;
-        index_27 = _S292;
+        index_27 = _S288;
     }
     is_found_8 = false;
     var chosen_3 : u32 = index_27;
@@ -4488,17 +4434,17 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S293 : f32 = _S291 - emitter_luminance_at_0(at_5);
-            is_found_8 = _S291 < (emitter_luminance_at_0(at_5));
+            var _S289 : f32 = _S287 - emitter_luminance_at_0(at_5);
+            is_found_8 = _S287 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S291 = _S293;
+            _S287 = _S289;
         }
         at_5 = at_5 + u32(1);
     }
     return emitter_at_0(chosen_3);
 }
 
-fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_6 : f32) -> vec3<f32>
+fn point_of_face_0( low_12 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_6 : f32) -> vec3<f32>
 {
     var away_0 : f32;
     if(((face_4 & (u32(1)))) == u32(1))
@@ -4511,44 +4457,44 @@ fn point_of_face_0( low_9 : vec3<f32>,  face_4 : u32,  u_8 : f32,  v_6 : f32) ->
     }
     if(face_4 < u32(2))
     {
-        return low_9 + vec3<f32>(away_0, u_8, v_6);
+        return low_12 + vec3<f32>(away_0, u_8, v_6);
     }
     if(face_4 < u32(4))
     {
-        return low_9 + vec3<f32>(u_8, away_0, v_6);
+        return low_12 + vec3<f32>(u_8, away_0, v_6);
     }
-    return low_9 + vec3<f32>(u_8, v_6, away_0);
+    return low_12 + vec3<f32>(u_8, v_6, away_0);
 }
 
-fn margin_of_0( translation_1 : vec3<f32>,  low_10 : vec3<f32>) -> f32
+fn margin_of_0( translation_1 : vec3<f32>,  low_13 : vec3<f32>) -> f32
 {
-    return clamp((max_element_0(abs(low_10) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
+    return clamp((max_element_0(abs(low_13) + abs(translation_1)) + 1.0f) * 4.76837158203125e-07f, 0.0009765625f, 0.25f);
 }
 
-fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_11 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
+fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
-    var margin_0 : f32 = margin_of_0(translation_2, low_11);
-    var _S294 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_11 + _S294), low_11 + vec3<f32>((1.0f - margin_0)));
-    var _S295 : bool = face_5 < u32(2);
-    var _S296 : bool;
+    var margin_0 : f32 = margin_of_0(translation_2, low_14);
+    var _S290 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S290), low_14 + vec3<f32>((1.0f - margin_0)));
+    var _S291 : bool = face_5 < u32(2);
+    var _S292 : bool;
     if(face_5 >= u32(2))
     {
-        _S296 = face_5 < u32(4);
+        _S292 = face_5 < u32(4);
     }
     else
     {
-        _S296 = false;
+        _S292 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S295, _S296, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S291, _S292, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
-        outside_0 = low_11 + vec3<f32>((1.0f + margin_0));
+        outside_0 = low_14 + vec3<f32>((1.0f + margin_0));
     }
     else
     {
-        outside_0 = low_11 - _S294;
+        outside_0 = low_14 - _S290;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -4562,45 +4508,45 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S297 : bool;
+    var _S293 : bool;
     if(!IS_SINGLE_0)
     {
-        _S297 = aim_2.is_met_0;
+        _S293 = aim_2.is_met_0;
     }
     else
     {
-        _S297 = false;
+        _S293 = false;
     }
-    if(_S297)
+    if(_S293)
     {
-        var _S298 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
-        if((_S298.light_leaf_0) == u32(4294967295))
+        var _S294 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
+        if((_S294.light_leaf_0) == u32(4294967295))
         {
-            _S297 = true;
+            _S293 = true;
         }
         else
         {
-            var _S299 : bool = climb_0(receiver_14, _S298.light_leaf_0, &(descent_3));
-            _S297 = !_S299;
+            var _S295 : bool = climb_0(receiver_14, _S294.light_leaf_0, &(descent_3));
+            _S293 = !_S295;
         }
-        if(_S297)
+        if(_S293)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S298.light_leaf_0);
+        Descent_at_0(&(descent_3), _S294.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S300 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
-            _S297 = !_S300;
+            var _S296 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            _S293 = !_S296;
         }
         else
         {
-            _S297 = false;
+            _S293 = false;
         }
-        if(_S297)
+        if(_S293)
         {
             return false;
         }
@@ -4608,35 +4554,35 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S301 : bool = descend_1(local_3, aim_2, &(descent_3));
-    if(!_S301)
+    var _S297 : bool = descend_1(local_3, aim_2, &(descent_3));
+    if(!_S297)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S302 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S302)
+    var _S298 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S298)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S303 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S299 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S304 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S303.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S304;
-        return _S304 > 0.0f;
+        var _S300 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S299.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S300;
+        return _S300 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S305 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S305, side_3, u_9.z, u_9.w);
+    var _S301 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S301, side_3, u_9.z, u_9.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_3.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S303.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S303.grid_from_world_0.translation_0), _S305, side_3, on_face_0)) - receiver_14.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S299.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S299.grid_from_world_0.translation_0), _S301, side_3, on_face_0)) - receiver_14.point_0;
     var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_6 > 0.0f;
@@ -4644,8 +4590,8 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S306 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
-    return _S306;
+    var _S302 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
+    return _S302;
 }
 
 fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -4669,9 +4615,9 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
     }
     if(is_found_9)
     {
-        var _S307 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
+        var _S303 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_9 = _S307;
+        is_found_9 = _S303;
     }
     else
     {
@@ -4693,15 +4639,15 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
         }
         if(is_found_9)
         {
-            var _S308 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S304 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_9 = _S308;
+            is_found_9 = _S304;
         }
         else
         {
-            var _S309 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S305 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_9 = _S309;
+            is_found_9 = _S305;
         }
     }
     return is_found_9;
@@ -4709,34 +4655,34 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S310 : f32;
+    var _S306 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S310 = material_of_index_0(inside_3.material_0).ior_0;
+        _S306 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S310 = 1.0f;
+        _S306 = 1.0f;
     }
-    return _S310;
+    return _S306;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S311 : Microfacets_0;
-    _S311.alpha_0 = alpha_1;
-    return _S311;
+    var _S307 : Microfacets_0;
+    _S307.alpha_0 = alpha_1;
+    return _S307;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S312 : MaterialBsdf_0;
-    _S312.kind_0 = kind_1;
-    _S312.color_0 = color_2;
-    _S312.specular_1 = specular_2;
-    _S312.eta_0 = eta_1;
-    _S312.facets_0 = facets_1;
-    return _S312;
+    var _S308 : MaterialBsdf_0;
+    _S308.kind_0 = kind_1;
+    _S308.color_0 = color_2;
+    _S308.specular_1 = specular_2;
+    _S308.eta_0 = eta_1;
+    _S308.facets_0 = facets_1;
+    return _S308;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4744,9 +4690,9 @@ fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<funct
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_8.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn MaterialBsdf_albedo_0( this_40 : MaterialBsdf_0) -> vec3<f32>
+fn MaterialBsdf_albedo_0( this_42 : MaterialBsdf_0) -> vec3<f32>
 {
-    return this_40.color_0;
+    return this_42.color_0;
 }
 
 fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
@@ -4755,17 +4701,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S313 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S314 : f32;
-    if(u_12 < _S313)
+    var _S309 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S310 : f32;
+    if(u_12 < _S309)
     {
-        _S314 = divide_0(1.0f, _S313);
+        _S310 = divide_0(1.0f, _S309);
     }
     else
     {
-        _S314 = 0.0f;
+        _S310 = 0.0f;
     }
-    return _S314;
+    return _S310;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4779,32 +4725,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S315 : f32;
+    var _S311 : f32;
     if(face_6 < u32(2))
     {
-        _S315 = away_1;
+        _S311 = away_1;
     }
     else
     {
-        _S315 = 0.0f;
+        _S311 = 0.0f;
     }
-    var _S316 : bool;
+    var _S312 : bool;
     if(face_6 >= u32(2))
     {
-        _S316 = face_6 < u32(4);
+        _S312 = face_6 < u32(4);
     }
     else
     {
-        _S316 = false;
+        _S312 = false;
     }
-    var _S317 : f32;
-    if(_S316)
+    var _S313 : f32;
+    if(_S312)
     {
-        _S317 = away_1;
+        _S313 = away_1;
     }
     else
     {
-        _S317 = 0.0f;
+        _S313 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4813,7 +4759,7 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S315, _S317, away_1);
+    return vec3<f32>(_S311, _S313, away_1);
 }
 
 fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
@@ -4821,32 +4767,32 @@ fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
     return normalize_vector_0(Transform_direction_0(instance_14.world_from_grid_0, face_normal_0(face_7)));
 }
 
-fn surface_of_0( ray_18 : Ray_0,  hit_8 : Hit_0) -> Surface_0
+fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S318 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S314 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_9 = offset_ray_origin_0(vec3<f32>(0.0f), _S318, hit_8.face_0, ray_18.origin_0 + ray_18.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S314, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        var _S319 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
-        surface_1.origin_9 = Transform_point_0(_S319.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S319.grid_from_world_0.translation_0), _S318, hit_8.face_0, Transform_point_0(_S319.grid_from_world_0, ray_18.origin_0) + Transform_direction_0(_S319.grid_from_world_0, ray_18.direction_0) * vec3<f32>(hit_8.t_0)));
-        surface_1.normal_3 = world_normal_0(_S319, hit_8.face_0);
+        var _S315 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
+        surface_1.origin_11 = Transform_point_0(_S315.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S315.grid_from_world_0.translation_0), _S314, hit_8.face_0, Transform_point_0(_S315.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S315.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.normal_3 = world_normal_0(_S315, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
     surface_1.instance_11 = hit_8.instance_0;
     return surface_1;
 }
 
-fn Surface_local_direction_0( this_41 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_43 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_41.instance_11).grid_from_world_0, world_0);
+        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_43.instance_11).grid_from_world_0, world_0);
     }
     else
     {
@@ -4854,13 +4800,13 @@ fn Surface_local_direction_0( this_41 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_4 : vec3<f32>;
-    if((this_41.face_2) < u32(2))
+    if((this_43.face_2) < u32(2))
     {
         local_4 = in_grid_2.yzx;
     }
     else
     {
-        if((this_41.face_2) < u32(4))
+        if((this_43.face_2) < u32(4))
         {
             local_4 = in_grid_2.zxy;
         }
@@ -4869,7 +4815,7 @@ fn Surface_local_direction_0( this_41 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_4 = in_grid_2;
         }
     }
-    if((((this_41.face_2) & (u32(1)))) == u32(1))
+    if((((this_43.face_2) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_4;
     }
@@ -4880,35 +4826,35 @@ fn Surface_local_direction_0( this_41 : Surface_0,  world_0 : vec3<f32>) -> vec3
     return in_grid_1;
 }
 
-fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_12 : vec3<f32>,  point_5 : vec3<f32>) -> vec3<f32>
+fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_15 : vec3<f32>,  point_5 : vec3<f32>) -> vec3<f32>
 {
-    var margin_1 : f32 = margin_of_0(translation_3, low_12);
-    return min(max(point_5, low_12 + vec3<f32>(margin_1)), low_12 + vec3<f32>((1.0f - margin_1)));
+    var margin_1 : f32 = margin_of_0(translation_3, low_15);
+    return min(max(point_5, low_15 + vec3<f32>(margin_1)), low_15 + vec3<f32>((1.0f - margin_1)));
 }
 
-fn Inside_point_0( this_42 : Inside_0,  ray_19 : Ray_0,  t_13 : f32) -> vec3<f32>
+fn Inside_point_0( this_44 : Inside_0,  ray_16 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    var _S320 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_42.instance_6);
-    return Transform_point_0(_S320.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S320.grid_from_world_0.translation_0), vec3<f32>(this_42.voxel_22), Transform_point_0(_S320.grid_from_world_0, ray_19.origin_0) + Transform_direction_0(_S320.grid_from_world_0, ray_19.direction_0) * vec3<f32>(t_13)));
+    var _S316 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
+    return Transform_point_0(_S316.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S316.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S316.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S316.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
 }
 
-fn MaterialBsdf_is_delta_0( this_43 : MaterialBsdf_0) -> bool
+fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
 {
     return false;
 }
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S321 : Scatter_0;
-    _S321.path_3 = path_6;
-    _S321.receiver_0 = receiver_17;
-    _S321.surface_0 = surface_2;
-    _S321.bsdf_0 = bsdf_1;
-    _S321.wo_0 = wo_1;
-    _S321.compensation_0 = compensation_1;
-    _S321.is_scattered_0 = is_scattered_1;
-    _S321.wants_light_0 = wants_light_1;
-    return _S321;
+    var _S317 : Scatter_0;
+    _S317.path_3 = path_6;
+    _S317.receiver_0 = receiver_17;
+    _S317.surface_0 = surface_2;
+    _S317.bsdf_0 = bsdf_1;
+    _S317.wo_0 = wo_1;
+    _S317.compensation_0 = compensation_1;
+    _S317.is_scattered_0 = is_scattered_1;
+    _S317.wants_light_0 = wants_light_1;
+    return _S317;
 }
 
 struct BsdfSample_0
@@ -4926,9 +4872,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S322 : Diffuse_0;
-    _S322.reflectance_0 = reflectance_1;
-    return _S322;
+    var _S318 : Diffuse_0;
+    _S318.reflectance_0 = reflectance_1;
+    return _S318;
 }
 
 fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
@@ -4945,31 +4891,31 @@ fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S323 : BsdfSample_0;
-    _S323.wi_0 = wi_1;
-    _S323.weight_3 = weight_4;
-    _S323.pdf_8 = pdf_9;
-    _S323.is_delta_0 = is_delta_1;
-    return _S323;
+    var _S319 : BsdfSample_0;
+    _S319.wi_0 = wi_1;
+    _S319.weight_3 = weight_4;
+    _S319.pdf_8 = pdf_9;
+    _S319.is_delta_0 = is_delta_1;
+    return _S319;
 }
 
-fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_2 : vec3<f32> = cosine_hemisphere_0(u_14.x, u_14.y);
-    (*sample_7) = BsdfSample_x24init_0(wi_2, this_44.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
+    (*sample_7) = BsdfSample_x24init_0(wi_2, this_46.reflectance_0, cosine_hemisphere_pdf_0(wi_2.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S324 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_0), wo_3, u_15, &((*sample_8)));
-    return _S324;
+    var _S320 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
+    return _S320;
 }
 
-fn Surface_world_direction_0( this_46 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
+fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
 {
     var away_2 : f32;
-    if((((this_46.face_2) & (u32(1)))) == u32(1))
+    if((((this_48.face_2) & (u32(1)))) == u32(1))
     {
         away_2 = local_5.z;
     }
@@ -4977,33 +4923,33 @@ fn Surface_world_direction_0( this_46 : Surface_0,  local_5 : vec3<f32>) -> vec3
     {
         away_2 = - local_5.z;
     }
-    var _S325 : f32 = local_5.x;
-    var _S326 : f32 = local_5.y;
-    var _S327 : vec3<f32> = vec3<f32>(_S325, _S326, away_2);
+    var _S321 : f32 = local_5.x;
+    var _S322 : f32 = local_5.y;
+    var _S323 : vec3<f32> = vec3<f32>(_S321, _S322, away_2);
     var in_grid_3 : vec3<f32>;
-    if((this_46.face_2) < u32(2))
+    if((this_48.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S325, _S326);
+        in_grid_3 = vec3<f32>(away_2, _S321, _S322);
     }
     else
     {
-        if((this_46.face_2) < u32(4))
+        if((this_48.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S326, away_2, _S325);
+            in_grid_3 = vec3<f32>(_S322, away_2, _S321);
         }
         else
         {
-            in_grid_3 = _S327;
+            in_grid_3 = _S323;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_3 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_46.instance_11).world_from_grid_0, in_grid_3);
+        in_grid_3 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_48.instance_11).world_from_grid_0, in_grid_3);
     }
     return normalize_vector_0(in_grid_3);
 }
 
-fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hit_9 : Hit_0,  beyond_3 : u32,  radiance_5 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_0 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -5018,7 +4964,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         t_14 = (*path_7).pdf_1;
     }
     (*path_7).pdf_1 = t_14;
-    var last_5 : Receiver_0 = Path_receiver_0((*path_7), ray_20);
+    var last_5 : Receiver_0 = Path_receiver_0((*path_7), ray_17);
     var is_scattered_2 : bool;
     if(Inside_is_in_0((*path_7).inside_0))
     {
@@ -5032,7 +4978,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     {
         if(is_scattered_2)
         {
-            t_14 = scattering_t_0((*path_7), (*path_7).inside_0, ray_20);
+            t_14 = scattering_t_0((*path_7), (*path_7).inside_0, ray_17);
         }
         else
         {
@@ -5040,7 +4986,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         if(!is_counted_0)
         {
-            absorb_0(&((*path_7)), (*path_7).inside_0, ray_20, t_14);
+            absorb_0(&((*path_7)), (*path_7).inside_0, ray_17, t_14);
         }
     }
     else
@@ -5059,7 +5005,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     var light_pdf_1 : f32;
     if(is_weighed_0)
     {
-        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_20.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_5), ray_20.direction_0)));
+        (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * Sky_le_0(ray_17.direction_0) * vec3<f32>(mis_weight_0((*path_7).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_7), last_5), ray_17.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -5077,7 +5023,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         if(is_scattered_2)
         {
-            var le_0 : vec3<f32> = SunDisc_le_0(ray_20.direction_0);
+            var le_0 : vec3<f32> = SunDisc_le_0(ray_17.direction_0);
             if((max_element_0(le_0)) > 0.0f)
             {
                 if(((*path_7).pdf_1) == 0.0f)
@@ -5086,7 +5032,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
                 }
                 else
                 {
-                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_5), ray_20.direction_0);
+                    light_pdf_1 = Lights_sun_pdf_0(Path_selection_at_0((*path_7), last_5), ray_17.direction_0);
                 }
                 (*radiance_5) = (*radiance_5) + (*path_7).beta_0 * le_0 * vec3<f32>(mis_weight_0((*path_7).pdf_1, light_pdf_1));
             }
@@ -5095,7 +5041,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S328 : vec3<f32> = vec3<f32>(0.0f);
+    var _S324 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5103,12 +5049,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S328;
+        le_1 = _S324;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
-    var met_0 : Aim_0 = Aim_x24init_0(true, ray_20.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S329 : bool = weighs_apart_0();
-    if(_S329)
+    var met_0 : Aim_0 = Aim_x24init_0(true, ray_17.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
+    var _S325 : bool = weighs_apart_0();
+    if(_S325)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5136,7 +5082,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S329)
+        if(!_S325)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5146,15 +5092,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S330 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S330;
+            var _S326 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S326;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S331 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S332 : f32 = (*path_7).pdf_1;
+        var _S327 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S328 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5163,13 +5109,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S331 * vec3<f32>(mis_weight_0(_S332, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S327 * vec3<f32>(mis_weight_0(_S328, light_pdf_1));
     }
-    var _S333 : f32 = ior_of_0((*path_7).inside_0);
-    var _S334 : f32 = u_16[i32(3)];
-    var _S335 : MaterialBsdf_0 = bsdf_of_0(material_9, _S333, &(_S334));
-    u_16[i32(3)] = _S334;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S335);
+    var _S329 : f32 = ior_of_0((*path_7).inside_0);
+    var _S330 : f32 = u_16[i32(3)];
+    var _S331 : MaterialBsdf_0 = bsdf_of_0(material_9, _S329, &(_S330));
+    u_16[i32(3)] = _S330;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S331);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5178,8 +5124,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S336 : bool = !is_weighed_0;
-    if(_S336)
+    var _S332 : bool = !is_weighed_0;
+    if(_S332)
     {
         if(is_chosen_0)
         {
@@ -5199,7 +5145,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S336)
+    if(_S332)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5220,20 +5166,20 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     {
         at_6 = hit_9;
     }
-    var surface_3 : Surface_0 = surface_of_0(ray_20, at_6);
-    var _S337 : Receiver_0 = Receiver_x24init_0(surface_3.origin_9, surface_3.normal_3);
-    var _S338 : vec3<f32> = (vec3<f32>(0) - ray_20.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S338);
+    var surface_3 : Surface_0 = surface_of_0(ray_17, at_6);
+    var _S333 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
+    var _S334 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S334);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_18 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S339 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S339;
-        var _S340 : vec3<f32> = normalize_vector_0(_S338);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S339, ray_20, t_14), _S328);
-        wo_5 = _S340;
+        var _S335 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S335;
+        var _S336 : vec3<f32> = normalize_vector_0(_S334);
+        receiver_18 = Receiver_x24init_0(Inside_point_0(_S335, ray_17, t_14), _S324);
+        wo_5 = _S336;
     }
     else
     {
@@ -5243,22 +5189,22 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_18 = _S337;
+        receiver_18 = _S333;
         wo_5 = wo_4;
     }
-    next_0.origin_7 = receiver_18.point_0;
+    next_0.origin_9 = receiver_18.point_0;
     next_0.shadow_inside_1 = inside_4;
     if(is_weighed_0)
     {
         receiver_18 = last_5;
     }
-    if(_S336)
+    if(_S332)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_18);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S341 : bool = !MaterialBsdf_is_delta_0(_S335);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S335, wo_5, compensation_2, is_scattered_2, _S341);
+    var _S337 : bool = !MaterialBsdf_is_delta_0(_S331);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S331, wo_5, compensation_2, is_scattered_2, _S337);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5275,8 +5221,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S342 : bool = MaterialBsdf_sample_0(_S335, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S342)
+    var _S338 : bool = MaterialBsdf_sample_0(_S331, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S338)
     {
         return next_0;
     }
@@ -5301,7 +5247,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_20 : Ray_0,  hi
     return next_0;
 }
 
-fn shading_normal_0( ray_21 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
+fn shading_normal_0( ray_18 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
     return world_normal_0(Instances_operatorx5Bx5D_get_0(hit_10.instance_0), hit_10.face_0);
 }
@@ -5311,55 +5257,55 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_11.base_color_0);
 }
 
-fn show_0( path_8 : Path_0,  ray_22 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
+fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S343 : Path_0 = path_8;
+    var _S339 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S343.inside_0))
+    if(Inside_is_in_0(_S339.inside_0))
     {
-        absorb_0(&(_S343), _S343.inside_0, ray_22, hit_11.t_0);
+        absorb_0(&(_S339), _S339.inside_0, ray_19, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S343, hit_11, beyond_4);
-    (*sample_9).normal_1 = shading_normal_0(ray_22, hit_11, material_12);
-    (*sample_9).albedo_0 = _S343.beta_0 * albedo_of_0(material_12);
+    var material_12 : PackedMaterial_0 = material_met_0(_S339, hit_11, beyond_4);
+    (*sample_9).normal_1 = shading_normal_0(ray_19, hit_11, material_12);
+    (*sample_9).albedo_0 = _S339.beta_0 * albedo_of_0(material_12);
     return;
 }
 
-fn Walker_see_0( this_47 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
+fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S344 : bool = ((*this_47).path_0.bounce_0) == u32(0);
-    var _S345 : bool;
+    var _S340 : bool = ((*this_49).path_0.bounce_0) == u32(0);
+    var _S341 : bool;
     if(goes_on_0)
     {
-        _S345 = _S344;
+        _S341 = _S340;
     }
     else
     {
-        _S345 = false;
+        _S341 = false;
     }
-    var _S346 : bool = !_S345;
-    (*this_47).has_shown_0 = _S346;
-    if(!_S346)
+    var _S342 : bool = !_S341;
+    (*this_49).has_shown_0 = _S342;
+    if(!_S342)
     {
-        (*this_47).way_3 = (*this_47).way_3 + hit_12.t_0;
+        (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
     }
     else
     {
         if(!Hit_is_miss_0(hit_12))
         {
-            show_0(arrived_0, (*this_47).ray_10, hit_12, beyond_5, &((*sample_10)));
-            (*sample_10).place_0 = (*this_47).camera_ray_0.origin_0 + (*this_47).camera_ray_0.direction_0 * vec3<f32>(((*this_47).way_3 + hit_12.t_0));
-            var _S347 : u32;
-            if(((*this_47).way_3) > 0.0f)
+            show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, &((*sample_10)));
+            (*sample_10).place_0 = (*this_49).camera_ray_0.origin_0 + (*this_49).camera_ray_0.direction_0 * vec3<f32>(((*this_49).way_3 + hit_12.t_0));
+            var _S343 : u32;
+            if(((*this_49).way_3) > 0.0f)
             {
-                _S347 = u32(4294967295);
+                _S343 = u32(4294967295);
             }
             else
             {
-                _S347 = hit_12.instance_0;
+                _S343 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S347;
+            (*sample_10).instance_7 = _S343;
         }
     }
     return;
@@ -5367,9 +5313,9 @@ fn Walker_see_0( this_47 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
 
 var<private> first_candidates_0 : u32;
 
-fn Path_dimension_light_0( this_48 : Path_0) -> u32
+fn Path_dimension_light_0( this_50 : Path_0) -> u32
 {
-    return u32(2) + u32(2) * Path_events_0(this_48);
+    return u32(2) + u32(2) * Path_events_0(this_50);
 }
 
 struct BsdfEval_0
@@ -5380,20 +5326,20 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S348 : BsdfEval_0;
-    _S348.weight_5 = weight_6;
-    _S348.pdf_10 = pdf_11;
-    return _S348;
+    var _S344 : BsdfEval_0;
+    _S344.weight_5 = weight_6;
+    _S344.pdf_10 = pdf_11;
+    return _S344;
 }
 
-fn Diffuse_eval_0( this_49 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_49.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
+    return BsdfEval_x24init_0(this_51.reflectance_0, cosine_hemisphere_pdf_0(wi_3.z));
 }
 
-fn MaterialBsdf_eval_0( this_50 : MaterialBsdf_0,  wo_7 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_52 : MaterialBsdf_0,  wo_7 : vec3<f32>,  wi_4 : vec3<f32>) -> BsdfEval_0
 {
-    return Diffuse_eval_0(Diffuse_x24init_0(this_50.color_0), wo_7, wi_4);
+    return Diffuse_eval_0(Diffuse_x24init_0(this_52.color_0), wo_7, wi_4);
 }
 
 fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
@@ -5421,18 +5367,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
-        var _S349 : vec4<f32>;
+        var _S345 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S349 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S345 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            _S349 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S345 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
-        u_17 = _S349;
-        var _S350 : bool = count_5 > u32(1);
-        if(_S350)
+        u_17 = _S345;
+        var _S346 : bool = count_5 > u32(1);
+        if(_S346)
         {
             u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -5443,30 +5389,30 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S351 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_16.direction_0).xy, light_7.cos_theta_2);
+        var _S347 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_2);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
-            wi_5 = normalize_vector_0(light_7.ray_16.direction_0);
+            wi_5 = normalize_vector_0(light_7.ray_13.direction_0);
         }
         else
         {
-            wi_5 = _S351;
+            wi_5 = _S347;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S352 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S352);
+        var _S348 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S348);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S353 : bool;
-        if(_S350)
+        var _S349 : bool;
+        if(_S346)
         {
-            _S353 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S349 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S353 = false;
+            _S349 = false;
         }
-        if(_S353)
+        if(_S349)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5475,9 +5421,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         var chosen_5 : f32;
         if(weight_7 > 0.0f)
         {
-            (*next_1).shadow_direction_0 = light_7.ray_16.direction_0;
-            (*next_1).shadow_t_max_0 = light_7.ray_16.t_max_0;
-            (*next_1).light_2 = _S352;
+            (*next_1).shadow_direction_0 = light_7.ray_13.direction_0;
+            (*next_1).shadow_t_max_0 = light_7.ray_13.t_max_0;
+            (*next_1).light_2 = _S348;
             chosen_5 = weight_7;
         }
         else
@@ -5488,9 +5434,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S354 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S354;
-    if(_S354)
+    var _S350 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S350;
+    if(_S350)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5500,19 +5446,19 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
-    var _S355 : bool = (*at_7).is_at_cell_0;
+    var _S351 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
-        next_2.origin_7 = (*at_7).ray_10.origin_0;
-        next_2.path_origin_1 = (*at_7).ray_10.origin_0;
-        next_2.direction_5 = (*at_7).ray_10.direction_0;
+        next_2.origin_9 = (*at_7).ray_7.origin_0;
+        next_2.path_origin_1 = (*at_7).ray_7.origin_0;
+        next_2.direction_5 = (*at_7).ray_7.direction_0;
         goes_on_1 = true;
     }
     else
     {
-        var _S356 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S356;
+        var _S352 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S352;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5523,8 +5469,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S357 : bool = asks_0((*at_7).path_0, (*at_7).ray_10, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S357;
+            var _S353 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S353;
         }
         else
         {
@@ -5532,12 +5478,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S356;
-        var _S358 : Path_0 = (*at_7).path_0;
-        var _S359 : NextRays_0 = PathTracingOf_advance_0(&(_S358), (*at_7).ray_10, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S358;
-        next_2 = _S359;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S356)));
+        var emitted_2 : vec3<f32> = _S352;
+        var _S354 : Path_0 = (*at_7).path_0;
+        var _S355 : NextRays_0 = PathTracingOf_advance_0(&(_S354), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S354;
+        next_2 = _S355;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S352)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5552,7 +5498,7 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if(_S355)
+    if(_S351)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5563,10 +5509,10 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     (*at_7).light_0 = next_2.light_2;
     (*at_7).is_shadow_ray_0 = next_2.has_shadow_ray_0;
     (*at_7).path_origin_0 = next_2.path_origin_1;
-    (*at_7).ray_10 = ray_from_0(next_2.origin_7, next_2.direction_5);
+    (*at_7).ray_7 = ray_from_0(next_2.origin_9, next_2.direction_5);
     if((*at_7).is_shadow_ray_0)
     {
-        (*at_7).ray_10 = Ray_x24init_0(next_2.origin_7, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
+        (*at_7).ray_7 = Ray_x24init_0(next_2.origin_9, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
     if(goes_on_1)
     {
@@ -5583,64 +5529,64 @@ fn key_of_1( hit_14 : Hit_0,  size_2 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S360 : f32;
+    var _S356 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S360 = 1.0f;
+        _S356 = 1.0f;
     }
     else
     {
-        _S360 = 0.0f;
+        _S356 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_6 + _S360, 6.0f));
-    var _S361 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S361)));
-    var _S362 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S361))));
-    (*code_3) = u32(1) + (((((((_S362.x) | ((((_S362.y) << (level_1)))))) | ((((_S362.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_6 + _S356, 6.0f));
+    var _S357 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S357)));
+    var _S358 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S357))));
+    (*code_3) = u32(1) + (((((((_S358.x) | ((((_S358.y) << (level_1)))))) | ((((_S358.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
-fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
+fn asks_1( path_9 : Path_0,  ray_20 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S363 : bool;
+    var _S359 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S363 = true;
+        _S359 = true;
     }
     else
     {
-        _S363 = Inside_is_in_0(path_9.inside_0);
+        _S359 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S363)
+    if(_S359)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S363 = true;
+        _S359 = true;
     }
     else
     {
-        _S363 = (material_13.transmission_0) > 0.0f;
+        _S359 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S363)
+    if(_S359)
     {
         return false;
     }
     var code_4 : u32;
-    var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_23.origin_0 + ray_23.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
+    var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_20.origin_0 + ray_20.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
     var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
     if(life_2 == u32(0))
     {
-        _S363 = true;
+        _S359 = true;
     }
     else
     {
-        _S363 = (hit_15.t_0 * square_root_0(length_squared_0(ray_23.direction_0))) < least_1;
+        _S359 = (hit_15.t_0 * square_root_0(length_squared_0(ray_20.direction_0))) < least_1;
     }
-    if(_S363)
+    if(_S359)
     {
         return false;
     }
@@ -5653,9 +5599,9 @@ fn asks_1( path_9 : Path_0,  ray_23 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  
     return true;
 }
 
-fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_24 : Ray_0,  t_15 : f32)
+fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_21 : Ray_0,  t_15 : f32)
 {
-    (*path_10).beta_0 = (*path_10).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_24));
+    (*path_10).beta_0 = (*path_10).beta_0 * attenuation_0(material_of_index_0(inside_5.material_0), t_15 * Inside_voxels_per_t_0(inside_5, ray_21));
     return;
 }
 
@@ -5672,13 +5618,13 @@ fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S364 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S364, _S364, 0.0f);
+    var _S360 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S360, _S360, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S365 : f32 = u_20.x * edge_1;
-    var _S366 : f32 = edge_1 - 1.0f;
-    var _S367 : f32 = min(floor(_S365), _S366);
-    var own_2 : u32 = u32(_S367) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S366));
+    var _S361 : f32 = u_20.x * edge_1;
+    var _S362 : f32 = edge_1 - 1.0f;
+    var _S363 : f32 = min(floor(_S361), _S362);
+    var own_2 : u32 = u32(_S363) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S362));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
@@ -5693,10 +5639,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S368 : u32 = index_28 % params_0.sky_edge_0;
-    var _S369 : f32 = f32(_S368);
-    var _S370 : u32 = index_28 / params_0.sky_edge_0;
-    var place_5 : vec2<f32> = vec2<f32>(_S369, f32(_S370)) + vec2<f32>(min(_S365 - _S367, 1.0f), u_20.w);
+    var _S364 : u32 = index_28 % params_0.sky_edge_0;
+    var _S365 : f32 = f32(_S364);
+    var _S366 : u32 = index_28 / params_0.sky_edge_0;
+    var place_5 : vec2<f32> = vec2<f32>(_S365, f32(_S366)) + vec2<f32>(min(_S361 - _S363, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_5 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_5), pdf_12);
     return true;
 }
@@ -5705,17 +5651,17 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S371 : bool;
+    var _S367 : bool;
     if(SKY_0 != u32(1))
     {
-        _S371 = true;
+        _S367 = true;
     }
     else
     {
-        var _S372 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S371 = !_S372;
+        var _S368 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S367 = !_S368;
     }
-    if(_S371)
+    if(_S367)
     {
         return false;
     }
@@ -5724,13 +5670,13 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
     return cos_theta_9 > 0.0f;
 }
 
-fn Descent_at_2( this_51 : ptr<function, Descent_0>,  root_4 : u32)
+fn Descent_at_2( this_53 : ptr<function, Descent_0>,  root_4 : u32)
 {
     var node_12 : LightNode_0 = TopLights_node_0(root_4);
-    (*this_51).node_3 = root_4;
-    (*this_51).index_15 = node_12.index_11;
-    (*this_51).count_2 = node_12.count_1;
-    (*this_51).is_far_3 = false;
+    (*this_53).node_3 = root_4;
+    (*this_53).index_15 = node_12.index_11;
+    (*this_53).count_2 = node_12.count_1;
+    (*this_53).is_far_3 = false;
     return;
 }
 
@@ -5740,7 +5686,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S373 : LightNode_0 = node_13;
+        var _S369 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5748,59 +5694,59 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S373.parent_0);
-        var _S374 : u32 = _S373.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S374;
-        var _S375 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S369.parent_0);
+        var _S370 : u32 = _S369.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S370;
+        var _S371 : u32;
         if(is_left_4)
         {
-            _S375 = parent_2.index_11;
+            _S371 = parent_2.index_11;
         }
         else
         {
-            _S375 = _S374;
+            _S371 = _S370;
         }
-        var _S376 : View_0 = view_0(node_13, receiver_21);
-        var _S377 : View_0 = view_0(top_light_node_0(_S375), receiver_21);
-        var _S378 : f32;
+        var _S372 : View_0 = view_0(node_13, receiver_21);
+        var _S373 : View_0 = view_0(top_light_node_0(_S371), receiver_21);
+        var _S374 : f32;
         if(is_left_4)
         {
-            _S378 = _S376.importance_0;
+            _S374 = _S372.importance_0;
         }
         else
         {
-            _S378 = _S377.importance_0;
+            _S374 = _S373.importance_0;
         }
-        var _S379 : f32;
+        var _S375 : f32;
         if(is_left_4)
         {
-            _S379 = _S377.importance_0;
+            _S375 = _S373.importance_0;
         }
         else
         {
-            _S379 = _S376.importance_0;
+            _S375 = _S372.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S378, _S379);
-        var _S380 : f32 = weights_3.x;
-        var _S381 : f32 = weights_3.y;
-        var total_6 : f32 = _S380 + _S381;
+        var weights_3 : vec2<f32> = weights_of_0(_S374, _S375);
+        var _S376 : f32 = weights_3.x;
+        var _S377 : f32 = weights_3.y;
+        var total_6 : f32 = _S376 + _S377;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S382 : f32;
+        var _S378 : f32;
         if(is_left_4)
         {
-            _S382 = _S380;
+            _S378 = _S376;
         }
         else
         {
-            _S382 = _S381;
+            _S378 = _S377;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S382;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S378;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S373.parent_0;
+        at_8 = _S369.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5809,16 +5755,16 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S383 : bool;
+        var _S379 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S383 = !(*descent_5).is_far_3;
+            _S379 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S383 = false;
+            _S379 = false;
         }
-        if(_S383)
+        if(_S379)
         {
         }
         else
@@ -5832,29 +5778,29 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
-        var _S384 : f32 = weights_4.x;
-        var _S385 : f32 = weights_4.y;
-        var total_7 : f32 = _S384 + _S385;
+        var _S380 : f32 = weights_4.x;
+        var _S381 : f32 = weights_4.y;
+        var total_7 : f32 = _S380 + _S381;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S386 : bool;
-        if(_S385 <= 0.0f)
+        var _S382 : bool;
+        if(_S381 <= 0.0f)
         {
-            _S386 = true;
+            _S382 = true;
         }
         else
         {
-            _S386 = ((*descent_5).choice_0 * total_7) < (_S384 * (*descent_5).weight_0);
+            _S382 = ((*descent_5).choice_0 * total_7) < (_S380 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S387 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S387 >= (vector_of_0(left_4.min_1))))))
+            var _S383 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S383 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S387 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S383 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5863,63 +5809,63 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S386;
+            is_left_5 = _S382;
         }
-        var _S388 : f32 = (*descent_5).choice_0 * total_7;
+        var _S384 : f32 = (*descent_5).choice_0 * total_7;
+        var _S385 : f32;
+        if(is_left_5)
+        {
+            _S385 = 0.0f;
+        }
+        else
+        {
+            _S385 = _S380 * (*descent_5).weight_0;
+        }
+        (*descent_5).choice_0 = _S384 - _S385;
+        var _S386 : u32;
+        if(is_left_5)
+        {
+            _S386 = (*descent_5).node_3 + u32(1);
+        }
+        else
+        {
+            _S386 = (*descent_5).index_15;
+        }
+        (*descent_5).node_3 = _S386;
+        var _S387 : u32;
+        if(is_left_5)
+        {
+            _S387 = left_4.index_11;
+        }
+        else
+        {
+            _S387 = right_3.index_11;
+        }
+        (*descent_5).index_15 = _S387;
+        var _S388 : u32;
+        if(is_left_5)
+        {
+            _S388 = left_4.count_1;
+        }
+        else
+        {
+            _S388 = right_3.count_1;
+        }
+        (*descent_5).count_2 = _S388;
+        (*descent_5).is_far_3 = false;
         var _S389 : f32;
         if(is_left_5)
         {
-            _S389 = 0.0f;
+            _S389 = _S380;
         }
         else
         {
-            _S389 = _S384 * (*descent_5).weight_0;
+            _S389 = _S381;
         }
-        (*descent_5).choice_0 = _S388 - _S389;
-        var _S390 : u32;
-        if(is_left_5)
-        {
-            _S390 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S390 = (*descent_5).index_15;
-        }
-        (*descent_5).node_3 = _S390;
-        var _S391 : u32;
-        if(is_left_5)
-        {
-            _S391 = left_4.index_11;
-        }
-        else
-        {
-            _S391 = right_3.index_11;
-        }
-        (*descent_5).index_15 = _S391;
-        var _S392 : u32;
-        if(is_left_5)
-        {
-            _S392 = left_4.count_1;
-        }
-        else
-        {
-            _S392 = right_3.count_1;
-        }
-        (*descent_5).count_2 = _S392;
-        (*descent_5).is_far_3 = false;
-        var _S393 : f32;
-        if(is_left_5)
-        {
-            _S393 = _S384;
-        }
-        else
-        {
-            _S393 = _S385;
-        }
-        var _S394 : f32 = (*descent_5).weight_0 * _S393;
-        (*descent_5).weight_0 = _S394;
+        var _S390 : f32 = (*descent_5).weight_0 * _S389;
+        (*descent_5).weight_0 = _S390;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S394 <= 0.0f)
+        if(_S390 <= 0.0f)
         {
             return false;
         }
@@ -5927,13 +5873,13 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
     return true;
 }
 
-fn Descent_at_3( this_52 : ptr<function, Descent_0>,  root_5 : u32)
+fn Descent_at_3( this_54 : ptr<function, Descent_0>,  root_5 : u32)
 {
     var node_14 : LightNode_0 = GridLights_node_0(root_5);
-    (*this_52).node_3 = root_5;
-    (*this_52).index_15 = node_14.index_11;
-    (*this_52).count_2 = node_14.count_1;
-    (*this_52).is_far_3 = false;
+    (*this_54).node_3 = root_5;
+    (*this_54).index_15 = node_14.index_11;
+    (*this_54).count_2 = node_14.count_1;
+    (*this_54).is_far_3 = false;
     return;
 }
 
@@ -5941,16 +5887,16 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S395 : bool;
+        var _S391 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S395 = !(*descent_6).is_far_3;
+            _S391 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S395 = false;
+            _S391 = false;
         }
-        if(_S395)
+        if(_S391)
         {
         }
         else
@@ -5966,29 +5912,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_5, receiver_23);
         var of_right_1 : View_0 = view_0(right_4, receiver_23);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S396 : f32 = weights_5.x;
-        var _S397 : f32 = weights_5.y;
-        var total_8 : f32 = _S396 + _S397;
+        var _S392 : f32 = weights_5.x;
+        var _S393 : f32 = weights_5.y;
+        var total_8 : f32 = _S392 + _S393;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S398 : bool;
-        if(_S397 <= 0.0f)
+        var _S394 : bool;
+        if(_S393 <= 0.0f)
         {
-            _S398 = true;
+            _S394 = true;
         }
         else
         {
-            _S398 = ((*descent_6).choice_0 * total_8) < (_S396 * (*descent_6).weight_0);
+            _S394 = ((*descent_6).choice_0 * total_8) < (_S392 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S399 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S399 >= (vector_of_0(left_5.min_1))))))
+            var _S395 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S395 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S399 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S395 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5997,72 +5943,72 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S398;
+            is_left_6 = _S394;
         }
-        var _S400 : f32 = (*descent_6).choice_0 * total_8;
-        var _S401 : f32;
+        var _S396 : f32 = (*descent_6).choice_0 * total_8;
+        var _S397 : f32;
         if(is_left_6)
         {
-            _S401 = 0.0f;
+            _S397 = 0.0f;
         }
         else
         {
-            _S401 = _S396 * (*descent_6).weight_0;
+            _S397 = _S392 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S400 - _S401;
-        var _S402 : u32;
+        (*descent_6).choice_0 = _S396 - _S397;
+        var _S398 : u32;
         if(is_left_6)
         {
-            _S402 = (*descent_6).node_3 + u32(1);
+            _S398 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S402 = (*descent_6).index_15;
+            _S398 = (*descent_6).index_15;
         }
-        (*descent_6).node_3 = _S402;
-        var _S403 : u32;
+        (*descent_6).node_3 = _S398;
+        var _S399 : u32;
         if(is_left_6)
         {
-            _S403 = left_5.index_11;
+            _S399 = left_5.index_11;
         }
         else
         {
-            _S403 = right_4.index_11;
+            _S399 = right_4.index_11;
         }
-        (*descent_6).index_15 = _S403;
-        var _S404 : u32;
+        (*descent_6).index_15 = _S399;
+        var _S400 : u32;
         if(is_left_6)
         {
-            _S404 = left_5.count_1;
+            _S400 = left_5.count_1;
         }
         else
         {
-            _S404 = right_4.count_1;
+            _S400 = right_4.count_1;
         }
-        (*descent_6).count_2 = _S404;
-        var _S405 : bool;
+        (*descent_6).count_2 = _S400;
+        var _S401 : bool;
         if(is_left_6)
         {
-            _S405 = of_left_1.is_far_0;
+            _S401 = of_left_1.is_far_0;
         }
         else
         {
-            _S405 = of_right_1.is_far_0;
+            _S401 = of_right_1.is_far_0;
         }
-        (*descent_6).is_far_3 = _S405;
-        var _S406 : f32;
+        (*descent_6).is_far_3 = _S401;
+        var _S402 : f32;
         if(is_left_6)
         {
-            _S406 = _S396;
+            _S402 = _S392;
         }
         else
         {
-            _S406 = _S397;
+            _S402 = _S393;
         }
-        var _S407 : f32 = (*descent_6).weight_0 * _S406;
-        (*descent_6).weight_0 = _S407;
+        var _S403 : f32 = (*descent_6).weight_0 * _S402;
+        (*descent_6).weight_0 = _S403;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S407 <= 0.0f)
+        if(_S403 <= 0.0f)
         {
             return false;
         }
@@ -6073,29 +6019,29 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S408 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S409 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S410 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S408 - _S409) * _S410;
-    var toward_3 : vec3<f32> = (_S409 + _S408) * _S410 - point_6;
+    var _S404 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S405 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S406 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S404 - _S405) * _S406;
+    var toward_3 : vec3<f32> = (_S405 + _S404) * _S406 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S411 : f32 = way_6.choice_0 * total_9;
-    var _S412 : u32 = (*side_4);
-    var share_7 : f32 = normal_or_zero_0(sent_2.low_7[u32(0)] * unit_3);
-    var _S413 : bool;
+    var _S407 : f32 = way_6.choice_0 * total_9;
+    var _S408 : u32 = (*side_4);
+    var share_7 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
+    var _S409 : bool;
     if(is_met_3)
     {
-        _S413 = u32(0) == _S412;
+        _S409 = u32(0) == _S408;
     }
     else
     {
-        _S413 = share_7 > 0.0f;
+        _S409 = share_7 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S413)
+    if(_S409)
     {
         (*side_4) = u32(0);
         chosen_8 = share_7;
@@ -6104,145 +6050,145 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S414 : bool = _S411 < (share_7 * way_6.weight_0);
+    var _S410 : bool = _S407 < (share_7 * way_6.weight_0);
     var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S413 = u32(1) == _S412;
+        _S409 = u32(1) == _S408;
     }
     else
     {
         if(share_8 > 0.0f)
         {
-            _S413 = !_S414;
+            _S409 = !_S410;
         }
         else
         {
-            _S413 = false;
+            _S409 = false;
         }
     }
-    if(_S413)
+    if(_S409)
     {
         (*side_4) = u32(1);
         chosen_8 = share_8;
     }
     var passed_4 : f32 = share_7 + share_8;
-    if(_S414)
+    if(_S410)
     {
-        _S413 = true;
+        _S409 = true;
     }
     else
     {
-        _S413 = _S411 < (passed_4 * way_6.weight_0);
+        _S409 = _S407 < (passed_4 * way_6.weight_0);
     }
-    var share_9 : f32 = normal_or_zero_0(sent_2.low_7[u32(1)] * unit_3);
-    var _S415 : bool;
+    var share_9 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
+    var _S411 : bool;
     if(is_met_3)
     {
-        _S415 = u32(2) == _S412;
+        _S411 = u32(2) == _S408;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S415 = !_S413;
+            _S411 = !_S409;
         }
         else
         {
-            _S415 = false;
+            _S411 = false;
         }
     }
-    if(_S415)
+    if(_S411)
     {
         (*side_4) = u32(2);
         chosen_8 = share_9;
     }
     var passed_5 : f32 = passed_4 + share_9;
-    if(_S413)
+    if(_S409)
     {
-        _S413 = true;
+        _S409 = true;
     }
     else
     {
-        _S413 = _S411 < (passed_5 * way_6.weight_0);
+        _S409 = _S407 < (passed_5 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S415 = u32(3) == _S412;
+        _S411 = u32(3) == _S408;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S415 = !_S413;
+            _S411 = !_S409;
         }
         else
         {
-            _S415 = false;
+            _S411 = false;
         }
     }
-    if(_S415)
+    if(_S411)
     {
         (*side_4) = u32(3);
         chosen_8 = share_10;
     }
     var passed_6 : f32 = passed_5 + share_10;
-    if(_S413)
+    if(_S409)
     {
-        _S413 = true;
+        _S409 = true;
     }
     else
     {
-        _S413 = _S411 < (passed_6 * way_6.weight_0);
+        _S409 = _S407 < (passed_6 * way_6.weight_0);
     }
-    var share_11 : f32 = normal_or_zero_0(sent_2.low_7[u32(2)] * unit_3);
+    var share_11 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S415 = u32(4) == _S412;
+        _S411 = u32(4) == _S408;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S415 = !_S413;
+            _S411 = !_S409;
         }
         else
         {
-            _S415 = false;
+            _S411 = false;
         }
     }
-    if(_S415)
+    if(_S411)
     {
         (*side_4) = u32(4);
         chosen_8 = share_11;
     }
     var passed_7 : f32 = passed_6 + share_11;
-    if(_S413)
+    if(_S409)
     {
-        _S413 = true;
+        _S409 = true;
     }
     else
     {
-        _S413 = _S411 < (passed_7 * way_6.weight_0);
+        _S409 = _S407 < (passed_7 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S413 = u32(5) == _S412;
+        _S409 = u32(5) == _S408;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S413 = !_S413;
+            _S409 = !_S409;
         }
         else
         {
-            _S413 = false;
+            _S409 = false;
         }
     }
-    if(_S413)
+    if(_S409)
     {
         (*side_4) = u32(5);
         chosen_8 = share_12;
@@ -6250,13 +6196,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S413 = ((*odds_3).x) > 0.0f;
+        _S409 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S413 = false;
+        _S409 = false;
     }
-    return _S413;
+    return _S409;
 }
 
 fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6268,45 +6214,45 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S416 : bool;
+    var _S412 : bool;
     if(!IS_SINGLE_0)
     {
-        _S416 = aim_7.is_met_0;
+        _S412 = aim_7.is_met_0;
     }
     else
     {
-        _S416 = false;
+        _S412 = false;
     }
-    if(_S416)
+    if(_S412)
     {
-        var _S417 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S417.light_leaf_0) == u32(4294967295))
+        var _S413 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S413.light_leaf_0) == u32(4294967295))
         {
-            _S416 = true;
+            _S412 = true;
         }
         else
         {
-            var _S418 : bool = climb_1(receiver_24, _S417.light_leaf_0, &(descent_7));
-            _S416 = !_S418;
+            var _S414 : bool = climb_1(receiver_24, _S413.light_leaf_0, &(descent_7));
+            _S412 = !_S414;
         }
-        if(_S416)
+        if(_S412)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S417.light_leaf_0);
+        Descent_at_2(&(descent_7), _S413.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S419 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
-            _S416 = !_S419;
+            var _S415 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            _S412 = !_S415;
         }
         else
         {
-            _S416 = false;
+            _S412 = false;
         }
-        if(_S416)
+        if(_S412)
         {
             return false;
         }
@@ -6314,35 +6260,35 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S420 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S420)
+    var _S416 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S416)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S421 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S421)
+    var _S417 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S417)
     {
         return false;
     }
     var power_7 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S422 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S418 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S423 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S422.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S423;
-        return _S423 > 0.0f;
+        var _S419 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S418.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S419;
+        return _S419 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_7);
-    var _S424 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S424, side_5, u_22.z, u_22.w);
+    var _S420 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S420, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S422.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S422.grid_from_world_0.translation_0), _S424, side_5, on_face_1)) - receiver_24.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S418.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S418.grid_from_world_0.translation_0), _S420, side_5, on_face_1)) - receiver_24.point_0;
     var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_29, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_10 > 0.0f;
@@ -6350,8 +6296,8 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S425 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
-    return _S425;
+    var _S421 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
+    return _S421;
 }
 
 fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6375,9 +6321,9 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S426 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
+        var _S422 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S426;
+        is_found_11 = _S422;
     }
     else
     {
@@ -6399,15 +6345,15 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S427 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S423 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S427;
+            is_found_11 = _S423;
         }
         else
         {
-            var _S428 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S424 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S428;
+            is_found_11 = _S424;
         }
     }
     return is_found_11;
@@ -6418,20 +6364,20 @@ fn bsdf_of_1( material_14 : PackedMaterial_0,  ior_2 : f32,  choice_3 : ptr<func
     return MaterialBsdf_x24init_0(u32(0), vector_of_0(material_14.base_color_0), 0.0f, 1.0f, Microfacets_x24init_0(1.0f));
 }
 
-fn Diffuse_sample_1( this_53 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>,  sample_17 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_1( this_55 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>,  sample_17 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_6 : vec3<f32> = cosine_hemisphere_0(u_25.x, u_25.y);
-    (*sample_17) = BsdfSample_x24init_0(wi_6, this_53.reflectance_0, cosine_hemisphere_pdf_0(wi_6.z), false);
+    (*sample_17) = BsdfSample_x24init_0(wi_6, this_55.reflectance_0, cosine_hemisphere_pdf_0(wi_6.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_1( this_54 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_1( this_56 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S429 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_54.color_0), wo_9, u_26, &((*sample_18)));
-    return _S429;
+    var _S425 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
+    return _S425;
 }
 
-fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_3 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -6446,7 +6392,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         t_16 = (*path_11).pdf_1;
     }
     (*path_11).pdf_1 = t_16;
-    var last_6 : Receiver_0 = Path_receiver_0((*path_11), ray_25);
+    var last_6 : Receiver_0 = Path_receiver_0((*path_11), ray_22);
     var is_scattered_3 : bool;
     if(Inside_is_in_0((*path_11).inside_0))
     {
@@ -6460,7 +6406,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         if(is_scattered_3)
         {
-            t_16 = scattering_t_0((*path_11), (*path_11).inside_0, ray_25);
+            t_16 = scattering_t_0((*path_11), (*path_11).inside_0, ray_22);
         }
         else
         {
@@ -6468,7 +6414,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(!is_counted_1)
         {
-            absorb_1(&((*path_11)), (*path_11).inside_0, ray_25, t_16);
+            absorb_1(&((*path_11)), (*path_11).inside_0, ray_22, t_16);
         }
     }
     else
@@ -6487,7 +6433,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     var light_pdf_2 : f32;
     if(is_weighed_1)
     {
-        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_25.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_6), ray_25.direction_0)));
+        (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * Sky_le_0(ray_22.direction_0) * vec3<f32>(mis_weight_0((*path_11).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_11), last_6), ray_22.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -6505,7 +6451,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(is_scattered_3)
         {
-            var le_2 : vec3<f32> = SunDisc_le_0(ray_25.direction_0);
+            var le_2 : vec3<f32> = SunDisc_le_0(ray_22.direction_0);
             if((max_element_0(le_2)) > 0.0f)
             {
                 if(((*path_11).pdf_1) == 0.0f)
@@ -6514,7 +6460,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_6), ray_25.direction_0);
+                    light_pdf_2 = Lights_sun_pdf_0(Path_selection_at_0((*path_11), last_6), ray_22.direction_0);
                 }
                 (*radiance_6) = (*radiance_6) + (*path_11).beta_0 * le_2 * vec3<f32>(mis_weight_0((*path_11).pdf_1, light_pdf_2));
             }
@@ -6523,7 +6469,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S430 : vec3<f32> = vec3<f32>(0.0f);
+    var _S426 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6531,12 +6477,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     }
     else
     {
-        le_3 = _S430;
+        le_3 = _S426;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
-    var met_1 : Aim_0 = Aim_x24init_0(true, ray_25.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S431 : bool = weighs_apart_0();
-    if(_S431)
+    var met_1 : Aim_0 = Aim_x24init_0(true, ray_22.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
+    var _S427 : bool = weighs_apart_0();
+    if(_S427)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6564,7 +6510,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S431)
+        if(!_S427)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6574,15 +6520,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S432 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S432;
+            var _S428 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S428;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S433 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S434 : f32 = (*path_11).pdf_1;
+        var _S429 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S430 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6591,13 +6537,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S433 * vec3<f32>(mis_weight_0(_S434, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S429 * vec3<f32>(mis_weight_0(_S430, light_pdf_2));
     }
-    var _S435 : f32 = ior_of_0((*path_11).inside_0);
-    var _S436 : f32 = u_27[i32(3)];
-    var _S437 : MaterialBsdf_0 = bsdf_of_1(material_15, _S435, &(_S436));
-    u_27[i32(3)] = _S436;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S437);
+    var _S431 : f32 = ior_of_0((*path_11).inside_0);
+    var _S432 : f32 = u_27[i32(3)];
+    var _S433 : MaterialBsdf_0 = bsdf_of_1(material_15, _S431, &(_S432));
+    u_27[i32(3)] = _S432;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S433);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6606,8 +6552,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S438 : bool = !is_weighed_1;
-    if(_S438)
+    var _S434 : bool = !is_weighed_1;
+    if(_S434)
     {
         if(is_chosen_1)
         {
@@ -6627,7 +6573,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S438)
+    if(_S434)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6648,20 +6594,20 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     {
         at_9 = hit_16;
     }
-    var surface_4 : Surface_0 = surface_of_0(ray_25, at_9);
-    var _S439 : Receiver_0 = Receiver_x24init_0(surface_4.origin_9, surface_4.normal_3);
-    var _S440 : vec3<f32> = (vec3<f32>(0) - ray_25.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S440);
+    var surface_4 : Surface_0 = surface_of_0(ray_22, at_9);
+    var _S435 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
+    var _S436 : vec3<f32> = (vec3<f32>(0) - ray_22.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S436);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_27 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S441 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S441;
-        var _S442 : vec3<f32> = normalize_vector_0(_S440);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S441, ray_25, t_16), _S430);
-        wo_11 = _S442;
+        var _S437 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S437;
+        var _S438 : vec3<f32> = normalize_vector_0(_S436);
+        receiver_27 = Receiver_x24init_0(Inside_point_0(_S437, ray_22, t_16), _S426);
+        wo_11 = _S438;
     }
     else
     {
@@ -6671,22 +6617,22 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_27 = _S439;
+        receiver_27 = _S435;
         wo_11 = wo_10;
     }
-    next_3.origin_7 = receiver_27.point_0;
+    next_3.origin_9 = receiver_27.point_0;
     next_3.shadow_inside_1 = inside_6;
     if(is_weighed_1)
     {
         receiver_27 = last_6;
     }
-    if(_S438)
+    if(_S434)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_27);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S443 : bool = !MaterialBsdf_is_delta_0(_S437);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S437, wo_11, compensation_3, is_scattered_3, _S443);
+    var _S439 : bool = !MaterialBsdf_is_delta_0(_S433);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S433, wo_11, compensation_3, is_scattered_3, _S439);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6703,8 +6649,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S444 : bool = MaterialBsdf_sample_1(_S437, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S444)
+    var _S440 : bool = MaterialBsdf_sample_1(_S433, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S440)
     {
         return next_3;
     }
@@ -6729,55 +6675,55 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_25 : Ray_0,  h
     return next_3;
 }
 
-fn show_1( path_12 : Path_0,  ray_26 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
+fn show_1( path_12 : Path_0,  ray_23 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S445 : Path_0 = path_12;
+    var _S441 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S445.inside_0))
+    if(Inside_is_in_0(_S441.inside_0))
     {
-        absorb_1(&(_S445), _S445.inside_0, ray_26, hit_17.t_0);
+        absorb_1(&(_S441), _S441.inside_0, ray_23, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S445, hit_17, beyond_9);
-    (*sample_19).normal_1 = shading_normal_0(ray_26, hit_17, material_16);
-    (*sample_19).albedo_0 = _S445.beta_0 * albedo_of_0(material_16);
+    var material_16 : PackedMaterial_0 = material_met_0(_S441, hit_17, beyond_9);
+    (*sample_19).normal_1 = shading_normal_0(ray_23, hit_17, material_16);
+    (*sample_19).albedo_0 = _S441.beta_0 * albedo_of_0(material_16);
     return;
 }
 
-fn Walker_see_1( this_55 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
+fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S446 : bool = ((*this_55).path_0.bounce_0) == u32(0);
-    var _S447 : bool;
+    var _S442 : bool = ((*this_57).path_0.bounce_0) == u32(0);
+    var _S443 : bool;
     if(goes_on_3)
     {
-        _S447 = _S446;
+        _S443 = _S442;
     }
     else
     {
-        _S447 = false;
+        _S443 = false;
     }
-    var _S448 : bool = !_S447;
-    (*this_55).has_shown_0 = _S448;
-    if(!_S448)
+    var _S444 : bool = !_S443;
+    (*this_57).has_shown_0 = _S444;
+    if(!_S444)
     {
-        (*this_55).way_3 = (*this_55).way_3 + hit_18.t_0;
+        (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
     }
     else
     {
         if(!Hit_is_miss_0(hit_18))
         {
-            show_1(arrived_2, (*this_55).ray_10, hit_18, beyond_10, &((*sample_20)));
-            (*sample_20).place_0 = (*this_55).camera_ray_0.origin_0 + (*this_55).camera_ray_0.direction_0 * vec3<f32>(((*this_55).way_3 + hit_18.t_0));
-            var _S449 : u32;
-            if(((*this_55).way_3) > 0.0f)
+            show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, &((*sample_20)));
+            (*sample_20).place_0 = (*this_57).camera_ray_0.origin_0 + (*this_57).camera_ray_0.direction_0 * vec3<f32>(((*this_57).way_3 + hit_18.t_0));
+            var _S445 : u32;
+            if(((*this_57).way_3) > 0.0f)
             {
-                _S449 = u32(4294967295);
+                _S445 = u32(4294967295);
             }
             else
             {
-                _S449 = hit_18.instance_0;
+                _S445 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S449;
+            (*sample_20).instance_7 = _S445;
         }
     }
     return;
@@ -6808,18 +6754,18 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S450 : vec4<f32>;
+        var _S446 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S450 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S446 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S450 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S446 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S450;
-        var _S451 : bool = count_6 > u32(1);
-        if(_S451)
+        u_28 = _S446;
+        var _S447 : bool = count_6 > u32(1);
+        if(_S447)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
@@ -6830,30 +6776,30 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S452 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_16.direction_0).xy, light_11.cos_theta_2);
+        var _S448 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_2);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
-            wi_7 = normalize_vector_0(light_11.ray_16.direction_0);
+            wi_7 = normalize_vector_0(light_11.ray_13.direction_0);
         }
         else
         {
-            wi_7 = _S452;
+            wi_7 = _S448;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S453 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_8 : f32 = luminance_0(_S453);
+        var _S449 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_8 : f32 = luminance_0(_S449);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S454 : bool;
-        if(_S451)
+        var _S450 : bool;
+        if(_S447)
         {
-            _S454 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S450 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S454 = false;
+            _S450 = false;
         }
-        if(_S454)
+        if(_S450)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6862,9 +6808,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         var chosen_10 : f32;
         if(weight_8 > 0.0f)
         {
-            (*next_4).shadow_direction_0 = light_11.ray_16.direction_0;
-            (*next_4).shadow_t_max_0 = light_11.ray_16.t_max_0;
-            (*next_4).light_2 = _S453;
+            (*next_4).shadow_direction_0 = light_11.ray_13.direction_0;
+            (*next_4).shadow_t_max_0 = light_11.ray_13.t_max_0;
+            (*next_4).light_2 = _S449;
             chosen_10 = weight_8;
         }
         else
@@ -6875,9 +6821,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S455 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S455;
-    if(_S455)
+    var _S451 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S451;
+    if(_S451)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6887,19 +6833,19 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
-    var _S456 : bool = (*at_10).is_at_cell_0;
+    var _S452 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
-        next_5.origin_7 = (*at_10).ray_10.origin_0;
-        next_5.path_origin_1 = (*at_10).ray_10.origin_0;
-        next_5.direction_5 = (*at_10).ray_10.direction_0;
+        next_5.origin_9 = (*at_10).ray_7.origin_0;
+        next_5.path_origin_1 = (*at_10).ray_7.origin_0;
+        next_5.direction_5 = (*at_10).ray_7.direction_0;
         goes_on_4 = true;
     }
     else
     {
-        var _S457 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S457;
+        var _S453 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S453;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -6910,8 +6856,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S458 : bool = asks_1((*at_10).path_0, (*at_10).ray_10, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S458;
+            var _S454 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S454;
         }
         else
         {
@@ -6919,12 +6865,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S457;
-        var _S459 : Path_0 = (*at_10).path_0;
-        var _S460 : NextRays_0 = PathTracingOf_advance_1(&(_S459), (*at_10).ray_10, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S459;
-        next_5 = _S460;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S457)));
+        var emitted_4 : vec3<f32> = _S453;
+        var _S455 : Path_0 = (*at_10).path_0;
+        var _S456 : NextRays_0 = PathTracingOf_advance_1(&(_S455), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S455;
+        next_5 = _S456;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S453)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -6939,7 +6885,7 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if(_S456)
+    if(_S452)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -6950,10 +6896,10 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     (*at_10).light_0 = next_5.light_2;
     (*at_10).is_shadow_ray_0 = next_5.has_shadow_ray_0;
     (*at_10).path_origin_0 = next_5.path_origin_1;
-    (*at_10).ray_10 = ray_from_0(next_5.origin_7, next_5.direction_5);
+    (*at_10).ray_7 = ray_from_0(next_5.origin_9, next_5.direction_5);
     if((*at_10).is_shadow_ray_0)
     {
-        (*at_10).ray_10 = Ray_x24init_0(next_5.origin_7, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
+        (*at_10).ray_7 = Ray_x24init_0(next_5.origin_9, 0.0f, next_5.shadow_direction_0, next_5.shadow_t_max_0);
     }
     if(goes_on_4)
     {
@@ -6966,7 +6912,7 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     return goes_on_4;
 }
 
-fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  hit_20 : Hit_0,  beyond_12 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
+fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_20 : Hit_0,  beyond_12 : u32,  radiance_7 : ptr<function, vec3<f32>>) -> NextRays_0
 {
     var next_6 : NextRays_0 = no_rays_0();
     scatter_of_path_0.wants_light_0 = false;
@@ -6981,7 +6927,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         t_17 = (*path_13).pdf_1;
     }
     (*path_13).pdf_1 = t_17;
-    var last_7 : Receiver_0 = Path_receiver_0((*path_13), ray_27);
+    var last_7 : Receiver_0 = Path_receiver_0((*path_13), ray_24);
     var is_scattered_4 : bool;
     if(Inside_is_in_0((*path_13).inside_0))
     {
@@ -6995,7 +6941,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     {
         if(is_scattered_4)
         {
-            t_17 = scattering_t_0((*path_13), (*path_13).inside_0, ray_27);
+            t_17 = scattering_t_0((*path_13), (*path_13).inside_0, ray_24);
         }
         else
         {
@@ -7003,7 +6949,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         }
         if(!is_counted_2)
         {
-            absorb_1(&((*path_13)), (*path_13).inside_0, ray_27, t_17);
+            absorb_1(&((*path_13)), (*path_13).inside_0, ray_24, t_17);
         }
     }
     else
@@ -7022,7 +6968,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     var light_pdf_3 : f32;
     if(is_weighed_2)
     {
-        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_27.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_7), ray_27.direction_0)));
+        (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * Sky_le_0(ray_24.direction_0) * vec3<f32>(mis_weight_0((*path_13).pdf_1, Lights_sky_pdf_0(Path_selection_at_0((*path_13), last_7), ray_24.direction_0)));
         if(has_sun_0())
         {
             if(SunDisc_is_visible_0())
@@ -7040,7 +6986,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         }
         if(is_scattered_4)
         {
-            var le_4 : vec3<f32> = SunDisc_le_0(ray_27.direction_0);
+            var le_4 : vec3<f32> = SunDisc_le_0(ray_24.direction_0);
             if((max_element_0(le_4)) > 0.0f)
             {
                 if(((*path_13).pdf_1) == 0.0f)
@@ -7049,7 +6995,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
                 }
                 else
                 {
-                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_7), ray_27.direction_0);
+                    light_pdf_3 = Lights_sun_pdf_0(Path_selection_at_0((*path_13), last_7), ray_24.direction_0);
                 }
                 (*radiance_7) = (*radiance_7) + (*path_13).beta_0 * le_4 * vec3<f32>(mis_weight_0((*path_13).pdf_1, light_pdf_3));
             }
@@ -7058,7 +7004,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S461 : vec3<f32> = vec3<f32>(0.0f);
+    var _S457 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7066,12 +7012,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     }
     else
     {
-        le_5 = _S461;
+        le_5 = _S457;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
-    var met_2 : Aim_0 = Aim_x24init_0(true, ray_27.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S462 : bool = weighs_apart_0();
-    if(_S462)
+    var met_2 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
+    var _S458 : bool = weighs_apart_0();
+    if(_S458)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7099,7 +7045,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S462)
+        if(!_S458)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7109,15 +7055,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S463 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S463;
+            var _S459 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S459;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S464 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S465 : f32 = (*path_13).pdf_1;
+        var _S460 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S461 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7126,13 +7072,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S464 * vec3<f32>(mis_weight_0(_S465, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S460 * vec3<f32>(mis_weight_0(_S461, light_pdf_3));
     }
-    var _S466 : f32 = ior_of_0((*path_13).inside_0);
-    var _S467 : f32 = u_29[i32(3)];
-    var _S468 : MaterialBsdf_0 = bsdf_of_1(material_17, _S466, &(_S467));
-    u_29[i32(3)] = _S467;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S468);
+    var _S462 : f32 = ior_of_0((*path_13).inside_0);
+    var _S463 : f32 = u_29[i32(3)];
+    var _S464 : MaterialBsdf_0 = bsdf_of_1(material_17, _S462, &(_S463));
+    u_29[i32(3)] = _S463;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S464);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7141,8 +7087,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S469 : bool = !is_weighed_2;
-    if(_S469)
+    var _S465 : bool = !is_weighed_2;
+    if(_S465)
     {
         if(is_chosen_2)
         {
@@ -7162,7 +7108,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S469)
+    if(_S465)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7183,20 +7129,20 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
     {
         at_11 = hit_20;
     }
-    var surface_5 : Surface_0 = surface_of_0(ray_27, at_11);
-    var _S470 : Receiver_0 = Receiver_x24init_0(surface_5.origin_9, surface_5.normal_3);
-    var _S471 : vec3<f32> = (vec3<f32>(0) - ray_27.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S471);
+    var surface_5 : Surface_0 = surface_of_0(ray_24, at_11);
+    var _S466 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
+    var _S467 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S467);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S472 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S472;
-        var _S473 : vec3<f32> = normalize_vector_0(_S471);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S472, ray_27, t_17), _S461);
-        wo_13 = _S473;
+        var _S468 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S468;
+        var _S469 : vec3<f32> = normalize_vector_0(_S467);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S468, ray_24, t_17), _S457);
+        wo_13 = _S469;
     }
     else
     {
@@ -7206,22 +7152,22 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_28 = _S470;
+        receiver_28 = _S466;
         wo_13 = wo_12;
     }
-    next_6.origin_7 = receiver_28.point_0;
+    next_6.origin_9 = receiver_28.point_0;
     next_6.shadow_inside_1 = inside_7;
     if(is_weighed_2)
     {
         receiver_28 = last_7;
     }
-    if(_S469)
+    if(_S465)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S474 : bool = !MaterialBsdf_is_delta_0(_S468);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S468, wo_13, compensation_4, is_scattered_4, _S474);
+    var _S470 : bool = !MaterialBsdf_is_delta_0(_S464);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S464, wo_13, compensation_4, is_scattered_4, _S470);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7238,8 +7184,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S475 : bool = MaterialBsdf_sample_1(_S468, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S475)
+    var _S471 : bool = MaterialBsdf_sample_1(_S464, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S471)
     {
         return next_6;
     }
@@ -7267,19 +7213,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_27 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
-    var _S476 : bool = (*at_12).is_at_cell_0;
+    var _S472 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
-        next_7.origin_7 = (*at_12).ray_10.origin_0;
-        next_7.path_origin_1 = (*at_12).ray_10.origin_0;
-        next_7.direction_5 = (*at_12).ray_10.direction_0;
+        next_7.origin_9 = (*at_12).ray_7.origin_0;
+        next_7.path_origin_1 = (*at_12).ray_7.origin_0;
+        next_7.direction_5 = (*at_12).ray_7.direction_0;
         goes_on_6 = true;
     }
     else
     {
-        var _S477 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S477;
+        var _S473 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S473;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7290,8 +7236,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S478 : bool = asks_1((*at_12).path_0, (*at_12).ray_10, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S478;
+            var _S474 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S474;
         }
         else
         {
@@ -7299,12 +7245,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S477;
-        var _S479 : Path_0 = (*at_12).path_0;
-        var _S480 : NextRays_0 = PathTracingOf_advance_1(&(_S479), (*at_12).ray_10, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S479;
-        next_7 = _S480;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S477)));
+        var emitted_5 : vec3<f32> = _S473;
+        var _S475 : Path_0 = (*at_12).path_0;
+        var _S476 : NextRays_0 = PathTracingOf_advance_1(&(_S475), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S475;
+        next_7 = _S476;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S473)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7315,7 +7261,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if(_S476)
+    if(_S472)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7326,10 +7272,10 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     (*at_12).light_0 = next_7.light_2;
     (*at_12).is_shadow_ray_0 = next_7.has_shadow_ray_0;
     (*at_12).path_origin_0 = next_7.path_origin_1;
-    (*at_12).ray_10 = ray_from_0(next_7.origin_7, next_7.direction_5);
+    (*at_12).ray_7 = ray_from_0(next_7.origin_9, next_7.direction_5);
     if((*at_12).is_shadow_ray_0)
     {
-        (*at_12).ray_10 = Ray_x24init_0(next_7.origin_7, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
+        (*at_12).ray_7 = Ray_x24init_0(next_7.origin_9, 0.0f, next_7.shadow_direction_0, next_7.shadow_t_max_0);
     }
     if(goes_on_6)
     {
@@ -7357,40 +7303,40 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S481 : u32 = u32(2) * index_30;
-    var _S482 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S481);
-    var _S483 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S481 + u32(1));
+    var _S477 : u32 = u32(2) * index_30;
+    var _S478 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S477);
+    var _S479 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S477 + u32(1));
     var node_16 : InstanceNode_0;
-    var _S484 : f32 = (bitcast<f32>((_S482.y)));
-    var _S485 : f32 = (bitcast<f32>((_S482.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((_S482.x)));
-    node_16.min_2[i32(1)] = _S484;
-    node_16.min_2[i32(2)] = _S485;
-    node_16.index_29 = _S482.w;
-    var _S486 : f32 = (bitcast<f32>((_S483.y)));
-    var _S487 : f32 = (bitcast<f32>((_S483.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((_S483.x)));
-    node_16.max_2[i32(1)] = _S486;
-    node_16.max_2[i32(2)] = _S487;
-    node_16.is_leaf_0 = _S483.w;
+    var _S480 : f32 = (bitcast<f32>((_S478.y)));
+    var _S481 : f32 = (bitcast<f32>((_S478.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((_S478.x)));
+    node_16.min_2[i32(1)] = _S480;
+    node_16.min_2[i32(2)] = _S481;
+    node_16.index_29 = _S478.w;
+    var _S482 : f32 = (bitcast<f32>((_S479.y)));
+    var _S483 : f32 = (bitcast<f32>((_S479.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((_S479.x)));
+    node_16.max_2[i32(1)] = _S482;
+    node_16.max_2[i32(2)] = _S483;
+    node_16.is_leaf_0 = _S479.w;
     return node_16;
 }
 
-fn entry_0( node_17 : InstanceNode_0,  ray_28 : Ray_0,  inverse_2 : vec3<f32>) -> f32
+fn entry_0( node_17 : InstanceNode_0,  ray_25 : Ray_0,  inverse_3 : vec3<f32>) -> f32
 {
-    var low_13 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_28.origin_0) * inverse_2;
-    var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_28.origin_0) * inverse_2;
-    var _S488 : f32 = max(ray_28.t_min_0, max_element_0(min(low_13, high_6)));
-    var _S489 : f32;
-    if(_S488 <= (min(ray_28.t_max_0, min_element_0(max(low_13, high_6)))))
+    var low_16 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_25.origin_0) * inverse_3;
+    var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_25.origin_0) * inverse_3;
+    var _S484 : f32 = max(ray_25.t_min_0, max_element_0(min(low_16, high_6)));
+    var _S485 : f32;
+    if(_S484 <= (min(ray_25.t_max_0, min_element_0(max(low_16, high_6)))))
     {
-        _S489 = _S488;
+        _S485 = _S484;
     }
     else
     {
-        _S489 = (bitcast<f32>(infinity_bits_0));
+        _S485 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S489;
+    return _S485;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
@@ -7398,26 +7344,26 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S490 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S490;
+        var _S486 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S486;
     }
-    var ray_29 : Ray_0 = (*given_0);
-    var nearest_6 : Hit_0 = miss_0();
+    var ray_26 : Ray_0 = (*given_0);
+    var nearest_3 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_6;
+        return nearest_3;
     }
-    var is_zero_1 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S491 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var is_zero_1 : vec3<bool> = !((abs(ray_26.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S487 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S492 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S493 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S488 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S489 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S493;
+    var is_leaf_2 : bool = _S489;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S492.index_29;
-    var nearest_7 : Hit_0 = nearest_6;
+    var below_1 : u32 = _S488.index_29;
+    var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
     {
@@ -7426,16 +7372,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S494 : bool;
+            var _S490 : bool;
             if(is_done_1)
             {
-                _S494 = depth_1 > u32(0);
+                _S490 = depth_1 > u32(0);
             }
             else
             {
-                _S494 = !is_leaf_2;
+                _S490 = !is_leaf_2;
             }
-            if(_S494)
+            if(_S490)
             {
             }
             else
@@ -7446,25 +7392,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S495 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S496 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
-                is_done_1 = (entries_0[depth_2]) > (ray_29.t_max_0);
-                is_leaf_1 = _S496;
+                var _S491 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S492 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                is_done_1 = (entries_0[depth_2]) > (ray_26.t_max_0);
+                is_leaf_1 = _S492;
                 index_32 = stack_0[depth_2];
-                below_2 = _S495.index_29;
+                below_2 = _S491.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S497 : u32 = index_31 + u32(1);
-                var _S498 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S497);
-                var _S499 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S498, ray_29, _S491);
-                var to_right_0 : f32 = entry_0(_S499, ray_29, _S491);
+                var _S493 : u32 = index_31 + u32(1);
+                var _S494 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S493);
+                var _S495 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S494, ray_26, _S487);
+                var to_right_0 : f32 = entry_0(_S495, ray_26, _S487);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S500 : f32 = max(to_left_0, to_right_0);
+                var _S496 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S500 < INFINITY_0)
+                if(_S496 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7472,51 +7418,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                     }
                     else
                     {
-                        index_32 = _S497;
+                        index_32 = _S493;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S500;
+                    entries_0[depth_1] = _S496;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S501 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S502 : u32;
+                var _S497 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S498 : u32;
                 if(is_left_7)
                 {
-                    _S502 = _S497;
+                    _S498 = _S493;
                 }
                 else
                 {
-                    _S502 = below_2;
+                    _S498 = below_2;
                 }
-                var _S503 : u32;
+                var _S499 : u32;
                 if(is_left_7)
                 {
-                    _S503 = _S498.index_29;
+                    _S499 = _S494.index_29;
                 }
                 else
                 {
-                    _S503 = _S499.index_29;
+                    _S499 = _S495.index_29;
                 }
-                var _S504 : u32;
+                var _S500 : u32;
                 if(is_left_7)
                 {
-                    _S504 = _S498.is_leaf_0;
+                    _S500 = _S494.is_leaf_0;
                 }
                 else
                 {
-                    _S504 = _S499.is_leaf_0;
+                    _S500 = _S495.is_leaf_0;
                 }
-                var _S505 : bool = _S504 != u32(0);
-                var _S506 : u32 = index_32;
-                is_done_1 = _S501;
-                is_leaf_1 = _S505;
-                index_32 = _S502;
-                below_2 = _S503;
-                depth_1 = _S506;
+                var _S501 : bool = _S500 != u32(0);
+                var _S502 : u32 = index_32;
+                is_done_1 = _S497;
+                is_leaf_1 = _S501;
+                index_32 = _S498;
+                below_2 = _S499;
+                depth_1 = _S502;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7525,17 +7471,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         {
             break;
         }
-        var _S507 : Hit_0 = hit_in_0(below_2, &(ray_29));
-        var _S508 : Hit_0 = nearest_7;
-        if((_S507.t_0) < (nearest_7.t_0))
+        var _S503 : Hit_0 = hit_in_0(below_2, &(ray_26));
+        var _S504 : Hit_0 = nearest_4;
+        if((_S503.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S507.t_0) == (_S508.t_0))
+            if((_S503.t_0) == (_S504.t_0))
             {
-                is_leaf_1 = (_S507.instance_0) < (nearest_7.instance_0);
+                is_leaf_1 = (_S503.instance_0) < (nearest_4.instance_0);
             }
             else
             {
@@ -7544,18 +7490,18 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         if(is_leaf_1)
         {
-            ray_29.t_max_0 = _S507.t_0;
+            ray_26.t_max_0 = _S503.t_0;
             if(is_any_enough_0)
             {
-                return _S507;
+                return _S503;
             }
-            nearest_7 = _S507;
+            nearest_4 = _S503;
         }
         is_done_0 = true;
         below_1 = below_2;
         depth_0 = depth_1;
     }
-    return nearest_7;
+    return nearest_4;
 }
 
 fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u32) -> Hit_0
@@ -7563,26 +7509,26 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S509 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S509;
+        var _S505 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S505;
     }
-    var ray_30 : Ray_0 = (*given_1);
-    var nearest_8 : Hit_0 = miss_0();
+    var ray_27 : Ray_0 = (*given_1);
+    var nearest_5 : Hit_0 = miss_0();
     if((params_0.instance_count_0) == u32(0))
     {
-        return nearest_8;
+        return nearest_5;
     }
-    var is_zero_2 : vec3<bool> = !((abs(ray_30.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S510 : vec3<f32> = select(reciprocal_0(select(ray_30.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
+    var _S506 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S511 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S512 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S507 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S508 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S512;
+    var is_leaf_4 : bool = _S508;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S511.index_29;
-    var nearest_9 : Hit_0 = nearest_8;
+    var below_3 : u32 = _S507.index_29;
+    var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
     {
@@ -7591,16 +7537,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S513 : bool;
+            var _S509 : bool;
             if(is_done_3)
             {
-                _S513 = depth_4 > u32(0);
+                _S509 = depth_4 > u32(0);
             }
             else
             {
-                _S513 = !is_leaf_4;
+                _S509 = !is_leaf_4;
             }
-            if(_S513)
+            if(_S509)
             {
             }
             else
@@ -7611,25 +7557,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S514 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S515 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
-                is_done_3 = (entries_1[depth_5]) > (ray_30.t_max_0);
-                is_leaf_3 = _S515;
+                var _S510 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S511 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                is_done_3 = (entries_1[depth_5]) > (ray_27.t_max_0);
+                is_leaf_3 = _S511;
                 index_34 = stack_1[depth_5];
-                below_4 = _S514.index_29;
+                below_4 = _S510.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S516 : u32 = index_33 + u32(1);
-                var _S517 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S516);
-                var _S518 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S517, ray_30, _S510);
-                var to_right_1 : f32 = entry_0(_S518, ray_30, _S510);
+                var _S512 : u32 = index_33 + u32(1);
+                var _S513 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S512);
+                var _S514 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S513, ray_27, _S506);
+                var to_right_1 : f32 = entry_0(_S514, ray_27, _S506);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S519 : f32 = max(to_left_1, to_right_1);
+                var _S515 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S519 < INFINITY_1)
+                if(_S515 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7637,51 +7583,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_34 = _S516;
+                        index_34 = _S512;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S519;
+                    entries_1[depth_4] = _S515;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S520 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S521 : u32;
+                var _S516 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
+                var _S517 : u32;
                 if(is_left_8)
                 {
-                    _S521 = _S516;
+                    _S517 = _S512;
                 }
                 else
                 {
-                    _S521 = below_4;
+                    _S517 = below_4;
                 }
-                var _S522 : u32;
+                var _S518 : u32;
                 if(is_left_8)
                 {
-                    _S522 = _S517.index_29;
+                    _S518 = _S513.index_29;
                 }
                 else
                 {
-                    _S522 = _S518.index_29;
+                    _S518 = _S514.index_29;
                 }
-                var _S523 : u32;
+                var _S519 : u32;
                 if(is_left_8)
                 {
-                    _S523 = _S517.is_leaf_0;
+                    _S519 = _S513.is_leaf_0;
                 }
                 else
                 {
-                    _S523 = _S518.is_leaf_0;
+                    _S519 = _S514.is_leaf_0;
                 }
-                var _S524 : bool = _S523 != u32(0);
-                var _S525 : u32 = index_34;
-                is_done_3 = _S520;
-                is_leaf_3 = _S524;
-                index_34 = _S521;
-                below_4 = _S522;
-                depth_4 = _S525;
+                var _S520 : bool = _S519 != u32(0);
+                var _S521 : u32 = index_34;
+                is_done_3 = _S516;
+                is_leaf_3 = _S520;
+                index_34 = _S517;
+                below_4 = _S518;
+                depth_4 = _S521;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7690,17 +7636,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         {
             break;
         }
-        var _S526 : Hit_0 = hit_in_1(below_4, &(ray_30));
-        var _S527 : Hit_0 = nearest_9;
-        if((_S526.t_0) < (nearest_9.t_0))
+        var _S522 : Hit_0 = hit_in_1(below_4, &(ray_27));
+        var _S523 : Hit_0 = nearest_6;
+        if((_S522.t_0) < (nearest_6.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S526.t_0) == (_S527.t_0))
+            if((_S522.t_0) == (_S523.t_0))
             {
-                is_leaf_3 = (_S526.instance_0) < (nearest_9.instance_0);
+                is_leaf_3 = (_S522.instance_0) < (nearest_6.instance_0);
             }
             else
             {
@@ -7709,18 +7655,18 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         }
         if(is_leaf_3)
         {
-            ray_30.t_max_0 = _S526.t_0;
+            ray_27.t_max_0 = _S522.t_0;
             if(is_any_enough_1)
             {
-                return _S526;
+                return _S522;
             }
-            nearest_9 = _S526;
+            nearest_6 = _S522;
         }
         is_done_2 = true;
         below_3 = below_4;
         depth_3 = depth_4;
     }
-    return nearest_9;
+    return nearest_6;
 }
 
 fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
@@ -7730,11 +7676,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S528 : Sampler_0;
-    _S528.seed_1 = seed_3;
-    _S528.pixel_0 = pixel_1;
-    _S528.sample_0 = sample_23;
-    return _S528;
+    var _S524 : Sampler_0;
+    _S524.seed_1 = seed_3;
+    _S524.pixel_0 = pixel_1;
+    _S524.sample_0 = sample_23;
+    return _S524;
 }
 
 struct Item_0
@@ -7749,14 +7695,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S529 : Item_0;
-    _S529.traces_0 = traces_1;
-    _S529.kind_2 = kind_3;
-    _S529.at_13 = at_14;
-    _S529.place_6 = place_7;
-    _S529.slot_0 = slot_1;
-    _S529.sampler_2 = sampler_3;
-    return _S529;
+    var _S525 : Item_0;
+    _S525.traces_0 = traces_1;
+    _S525.kind_2 = kind_3;
+    _S525.at_13 = at_14;
+    _S525.place_6 = place_7;
+    _S525.slot_0 = slot_1;
+    _S525.sampler_2 = sampler_3;
+    return _S525;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7783,25 +7729,25 @@ fn place_of_chosen_0( number_2 : u32) -> u32
     return u32(524304) + number_2;
 }
 
-fn Item_key_0( this_56 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
+fn Item_key_0( this_58 : Item_0,  rank_3 : ptr<function, u32>) -> Key_0
 {
-    var face_8 : vec4<u32> = cell_row_0(u32(1), this_56.place_6);
+    var face_8 : vec4<u32> = cell_row_0(u32(1), this_58.place_6);
     (*rank_3) = face_8.z;
-    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_56.place_6).xyz));
+    return Key_x24init_0(face_8.x, face_8.y, vec3<i32>(cell_row_0(u32(2), this_58.place_6).xyz));
 }
 
-fn Item_key_1( this_57 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
+fn Item_key_1( this_59 : Item_0,  rank_4 : ptr<function, u32>) -> Key_0
 {
-    var face_9 : vec4<u32> = cell_row_0(u32(1), this_57.place_6);
+    var face_9 : vec4<u32> = cell_row_0(u32(1), this_59.place_6);
     (*rank_4) = face_9.z;
-    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_57.place_6).xyz));
+    return Key_x24init_0(face_9.x, face_9.y, vec3<i32>(cell_row_0(u32(2), this_59.place_6).xyz));
 }
 
-fn Item_key_2( this_58 : Item_0,  rank_5 : ptr<function, u32>) -> Key_0
+fn Item_key_2( this_60 : Item_0,  rank_5 : ptr<function, u32>) -> Key_0
 {
-    var face_10 : vec4<u32> = cell_row_0(u32(1), this_58.place_6);
+    var face_10 : vec4<u32> = cell_row_0(u32(1), this_60.place_6);
     (*rank_5) = face_10.z;
-    return Key_x24init_0(face_10.x, face_10.y, vec3<i32>(cell_row_0(u32(2), this_58.place_6).xyz));
+    return Key_x24init_0(face_10.x, face_10.y, vec3<i32>(cell_row_0(u32(2), this_60.place_6).xyz));
 }
 
 fn pixel_of_thread_0( thread_0 : u32) -> vec2<u32>
@@ -7817,58 +7763,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S530 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S530;
+        var _S526 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S526;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S531 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S531);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S531 + real_time_0.number_0) & (u32(1))));
+    var _S527 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S527);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S527 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S532 : vec2<u32> = vec2<u32>(u32(5));
-    var _S533 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S532 - vec2<u32>(u32(1))) / _S532;
-    return _S533;
+    var _S528 : vec2<u32> = vec2<u32>(u32(5));
+    var _S529 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S528 - vec2<u32>(u32(1))) / _S528;
+    return _S529;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S534 : u32 = square_1 % columns_1;
-    var _S535 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S534, _S535);
-    var _S536 : vec2<u32> = vec2<u32>(u32(5));
-    var _S537 : vec2<u32> = at_16 * _S536;
-    var _S538 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S536;
-    return min(_S537 + _S538, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S530 : u32 = square_1 % columns_1;
+    var _S531 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S530, _S531);
+    var _S532 : vec2<u32> = vec2<u32>(u32(5));
+    var _S533 : vec2<u32> = at_16 * _S532;
+    var _S534 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S532;
+    return min(_S533 + _S534, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S539 : bool;
+    var _S535 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S539 = (at_17.x) < i32(params_0.width_0);
+        _S535 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S539 = false;
+        _S535 = false;
     }
-    if(_S539)
+    if(_S535)
     {
-        _S539 = (at_17.y) < i32(params_0.height_0);
+        _S535 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S539 = false;
+        _S535 = false;
     }
-    return _S539;
+    return _S535;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -7890,23 +7836,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S540 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S541 : bool = number_4 < _S540;
-        item_0.traces_0 = _S541;
-        if(_S541)
+        var _S536 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S537 : bool = number_4 < _S536;
+        item_0.traces_0 = _S537;
+        if(_S537)
         {
-            var _S542 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S542;
+            var _S538 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S538;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S543 : u32 = number_4 - cells_2;
-    var _S544 : vec2<u32> = pixel_that_traces_0(_S543);
-    item_0.at_13 = _S544;
-    var square_3 : u32 = _S543 - pixels_1;
+    var _S539 : u32 = number_4 - cells_2;
+    var _S540 : vec2<u32> = pixel_that_traces_0(_S539);
+    item_0.at_13 = _S540;
+    var square_3 : u32 = _S539 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -7935,82 +7881,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S545 : u32;
+    var _S541 : u32;
     if(is_again_0)
     {
-        _S545 = u32(3);
+        _S541 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S545 = u32(2);
+            _S541 = u32(2);
         }
         else
         {
-            _S545 = u32(1);
+            _S541 = u32(1);
         }
     }
-    item_0.kind_2 = _S545;
+    item_0.kind_2 = _S541;
     if(is_square_0)
     {
-        var _S546 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S546;
+        var _S542 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S542;
     }
-    var _S547 : bool;
+    var _S543 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S545 = real_time_0.again_0;
+            _S541 = real_time_0.again_0;
         }
         else
         {
-            _S545 = count_8;
+            _S541 = count_8;
         }
-        _S547 = square_4 < _S545;
+        _S543 = square_4 < _S541;
     }
     else
     {
-        _S547 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S543 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S547;
+    item_0.traces_0 = _S543;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S545 = u32(2);
+            _S541 = u32(2);
         }
         else
         {
-            _S545 = (frame_0 & (u32(1)));
+            _S541 = (frame_0 & (u32(1)));
         }
-        _S545 = place_of_square_0(_S545, square_4);
+        _S541 = place_of_square_0(_S541, square_4);
     }
     else
     {
-        _S545 = index_of_0(item_0.at_13);
+        _S541 = index_of_0(item_0.at_13);
     }
-    item_0.place_6 = _S545;
+    item_0.place_6 = _S541;
     if(is_square_0)
     {
-        _S545 = real_time_0.pixels_0 + square_4;
+        _S541 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S545 = item_0.place_6;
+        _S541 = item_0.place_6;
     }
-    item_0.slot_0 = _S545;
-    var _S548 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S541;
+    var _S544 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S545 = u32(3266489909);
+        _S541 = u32(3266489909);
     }
     else
     {
-        _S545 = u32(2654435769);
+        _S541 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S548 ^ (_S545)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S544 ^ (_S541)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8028,16 +7974,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S549 : CameraFrame_0;
-    _S549.lens_1 = lens_2;
-    _S549.eye_2 = eye_3;
-    _S549.corner_2 = corner_3;
-    _S549.pixel_x_1 = pixel_x_2;
-    _S549.pixel_y_1 = pixel_y_2;
-    _S549.lens_x_1 = lens_x_2;
-    _S549.lens_y_1 = lens_y_2;
-    _S549.blades_1 = blades_2;
-    return _S549;
+    var _S545 : CameraFrame_0;
+    _S545.lens_1 = lens_2;
+    _S545.eye_2 = eye_3;
+    _S545.corner_2 = corner_3;
+    _S545.pixel_x_1 = pixel_x_2;
+    _S545.pixel_y_1 = pixel_y_2;
+    _S545.lens_x_1 = lens_x_2;
+    _S545.lens_y_1 = lens_y_2;
+    _S545.blades_1 = blades_2;
+    return _S545;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8052,12 +7998,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S550 : Perspective_0;
-    _S550.eye_4 = eye_5;
-    _S550.corner_4 = corner_5;
-    _S550.pixel_x_3 = pixel_x_4;
-    _S550.pixel_y_3 = pixel_y_4;
-    return _S550;
+    var _S546 : Perspective_0;
+    _S546.eye_4 = eye_5;
+    _S546.corner_4 = corner_5;
+    _S546.pixel_x_3 = pixel_x_4;
+    _S546.pixel_y_3 = pixel_y_4;
+    return _S546;
 }
 
 struct Axes_0
@@ -8069,11 +8015,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S551 : Axes_0;
-    _S551.forward_0 = forward_1;
-    _S551.right_5 = right_6;
-    _S551.up_0 = up_1;
-    return _S551;
+    var _S547 : Axes_0;
+    _S547.forward_0 = forward_1;
+    _S547.right_5 = right_6;
+    _S547.up_0 = up_1;
+    return _S547;
 }
 
 struct ThinLens_0
@@ -8086,28 +8032,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S552 : ThinLens_0;
-    _S552.perspective_0 = perspective_1;
-    _S552.lens_x_3 = lens_x_4;
-    _S552.lens_y_3 = lens_y_4;
-    _S552.blades_3 = blades_4;
-    return _S552;
+    var _S548 : ThinLens_0;
+    _S548.perspective_0 = perspective_1;
+    _S548.lens_x_3 = lens_x_4;
+    _S548.lens_y_3 = lens_y_4;
+    _S548.blades_3 = blades_4;
+    return _S548;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S553 : bool;
+    var _S549 : bool;
     if(a_6 == 0.0f)
     {
-        _S553 = b_6 == 0.0f;
+        _S549 = b_6 == 0.0f;
     }
     else
     {
-        _S553 = false;
+        _S549 = false;
     }
-    if(_S553)
+    if(_S549)
     {
         return vec2<f32>(0.0f);
     }
@@ -8134,7 +8080,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S554 : f32 = abs(radius_5);
+    var _S550 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8143,7 +8089,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S554, radius_5);
+    return vec2<f32>(_S550, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8161,16 +8107,16 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_13 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S555 : f32 = from_0.y;
-    var _S556 : f32 = from_0.x;
-    return vec2<f32>(_S555 + (to_0.y - _S555) * share_13, _S556 + (to_0.x - _S556) * share_13) * vec2<f32>(radius_6);
+    var _S551 : f32 = from_0.y;
+    var _S552 : f32 = from_0.x;
+    return vec2<f32>(_S551 + (to_0.y - _S551) * share_13, _S552 + (to_0.x - _S552) * share_13) * vec2<f32>(radius_6);
 }
 
-fn ThinLens_ray_0( this_59 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_8 : vec2<f32> = place_in_aperture_0(this_59.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_59.lens_x_3 * vec3<f32>(place_8.x) + this_59.lens_y_3 * vec3<f32>(place_8.y);
-    return ray_from_0(this_59.perspective_0.eye_4 + offset_1, normalize_vector_0(this_59.perspective_0.corner_4 + this_59.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_59.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_8 : vec2<f32> = place_in_aperture_0(this_61.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_61.lens_x_3 * vec3<f32>(place_8.x) + this_61.lens_y_3 * vec3<f32>(place_8.y);
+    return ray_from_0(this_61.perspective_0.eye_4 + offset_1, normalize_vector_0(this_61.perspective_0.corner_4 + this_61.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_61.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -8183,17 +8129,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S557 : Orthographic_0;
-    _S557.corner_6 = corner_7;
-    _S557.pixel_x_5 = pixel_x_6;
-    _S557.pixel_y_5 = pixel_y_6;
-    _S557.forward_2 = forward_3;
-    return _S557;
+    var _S553 : Orthographic_0;
+    _S553.corner_6 = corner_7;
+    _S553.pixel_x_5 = pixel_x_6;
+    _S553.pixel_y_5 = pixel_y_6;
+    _S553.forward_2 = forward_3;
+    return _S553;
 }
 
-fn Orthographic_ray_0( this_60 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_62 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_60.corner_6 + this_60.pixel_x_5 * vec3<f32>(position_4.x) + this_60.pixel_y_5 * vec3<f32>(position_4.y), this_60.forward_2);
+    return ray_from_0(this_62.corner_6 + this_62.pixel_x_5 * vec3<f32>(position_4.x) + this_62.pixel_y_5 * vec3<f32>(position_4.y), this_62.forward_2);
 }
 
 struct Panorama_0
@@ -8206,26 +8152,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S558 : Panorama_0;
-    _S558.eye_6 = eye_7;
-    _S558.axes_1 = axes_2;
-    _S558.inverse_size_0 = inverse_size_1;
-    _S558.half_eye_distance_0 = half_eye_distance_1;
-    return _S558;
+    var _S554 : Panorama_0;
+    _S554.eye_6 = eye_7;
+    _S554.axes_1 = axes_2;
+    _S554.inverse_size_0 = inverse_size_1;
+    _S554.half_eye_distance_0 = half_eye_distance_1;
+    return _S554;
 }
 
-fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_61.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_63.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_6 : f32;
     if(is_right_eye_0)
     {
-        side_6 = this_61.half_eye_distance_0;
+        side_6 = this_63.half_eye_distance_0;
     }
     else
     {
-        side_6 = - this_61.half_eye_distance_0;
+        side_6 = - this_63.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -8236,11 +8182,11 @@ fn Panorama_ray_0( this_61 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_61.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_63.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S559 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S560 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_61.eye_6 + (this_61.axes_1.forward_0 * _S560 - this_61.axes_1.right_5 * _S559) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_61.axes_1.forward_0 * _S559 + this_61.axes_1.right_5 * _S560) * vec3<f32>(height_2.x) + this_61.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S555 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S556 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S556 - this_63.axes_1.right_5 * _S555) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S555 + this_63.axes_1.right_5 * _S556) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8253,20 +8199,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S561 : Fisheye_0;
-    _S561.eye_8 = eye_9;
-    _S561.axes_3 = axes_4;
-    _S561.middle_1 = middle_2;
-    _S561.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S561;
+    var _S557 : Fisheye_0;
+    _S557.eye_8 = eye_9;
+    _S557.axes_3 = axes_4;
+    _S557.middle_1 = middle_2;
+    _S557.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S557;
 }
 
-fn Fisheye_ray_0( this_62 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_10 : f32 = position_6.x - this_62.middle_1.x;
-    var y_5 : f32 = position_6.y - this_62.middle_1.y;
+    var x_10 : f32 = position_6.x - this_64.middle_1.x;
+    var y_5 : f32 = position_6.y - this_64.middle_1.y;
     var radius_7 : f32 = square_root_0(x_10 * x_10 + y_5 * y_5);
-    var sin_cos_5 : vec2<f32> = sincos_turns_0(min(radius_7 * this_62.turns_per_pixel_0, 1.0f));
+    var sin_cos_5 : vec2<f32> = sincos_turns_0(min(radius_7 * this_64.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_7 > 0.0f)
     {
@@ -8276,35 +8222,35 @@ fn Fisheye_ray_0( this_62 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_62.eye_8, normalize_vector_0(this_62.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_62.axes_3.right_5 * vec3<f32>((x_10 * scale_0)) - this_62.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
+    return ray_from_0(this_64.eye_8, normalize_vector_0(this_64.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_64.axes_3.right_5 * vec3<f32>((x_10 * scale_0)) - this_64.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
 }
 
-fn Perspective_ray_0( this_63 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_65 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_63.eye_4, normalize_vector_0(this_63.corner_4 + this_63.pixel_x_3 * vec3<f32>(position_7.x) + this_63.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_65.eye_4, normalize_vector_0(this_65.corner_4 + this_65.pixel_x_3 * vec3<f32>(position_7.x) + this_65.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_64 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_66 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_64.eye_2, this_64.corner_2, this_64.pixel_x_1, this_64.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_64.corner_2, this_64.pixel_x_1, this_64.pixel_y_1);
-    switch(this_64.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_66.eye_2, this_66.corner_2, this_66.pixel_x_1, this_66.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_66.corner_2, this_66.pixel_x_1, this_66.pixel_y_1);
+    switch(this_66.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_64.lens_x_1, this_64.lens_y_1, this_64.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_66.lens_x_1, this_66.lens_y_1, this_66.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_64.corner_2, this_64.pixel_x_1, this_64.pixel_y_1, this_64.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_66.corner_2, this_66.pixel_x_1, this_66.pixel_y_1, this_66.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_64.eye_2, axes_5, this_64.lens_x_1.xy, this_64.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_66.eye_2, axes_5, this_66.lens_x_1.xy, this_66.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_64.eye_2, axes_5, this_64.lens_x_1.xy, this_64.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_66.eye_2, axes_5, this_66.lens_x_1.xy, this_66.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -8319,16 +8265,16 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
     return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
 }
 
-fn WalkTracer_trace_0( ray_31 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
+fn WalkTracer_trace_0( ray_28 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S562 : Hit_0 = visit_0(&((*ray_31)), is_any_enough_2, u32(0));
-    return _S562;
+    var _S558 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
+    return _S558;
 }
 
-fn WalkTracer_trace_1( ray_32 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
+fn WalkTracer_trace_1( ray_29 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S563 : Hit_0 = visit_1(&((*ray_32)), is_any_enough_3, u32(0));
-    return _S563;
+    var _S559 : Hit_0 = visit_1(&((*ray_29)), is_any_enough_3, u32(0));
+    return _S559;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8371,61 +8317,61 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     var item_1 : Item_0 = item_of_0(real_time_0.cells_0 + id_0.x);
     if(item_1.traces_0)
     {
-        var ray_33 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S564 : Hit_0 = WalkTracer_trace_1(&(ray_33), false);
-        keep_hit_0(item_1.slot_0, _S564);
+        var ray_30 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
+        var _S560 : Hit_0 = WalkTracer_trace_1(&(ray_30), false);
+        keep_hit_0(item_1.slot_0, _S560);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S565 : Sample_0;
-    _S565.direct_0 = direct_1;
-    _S565.light_1 = light_14;
-    _S565.is_shown_0 = is_shown_1;
-    _S565.albedo_0 = albedo_1;
-    _S565.normal_1 = normal_5;
-    _S565.place_0 = place_9;
-    _S565.instance_7 = instance_15;
-    return _S565;
+    var _S561 : Sample_0;
+    _S561.direct_0 = direct_1;
+    _S561.light_1 = light_14;
+    _S561.is_shown_0 = is_shown_1;
+    _S561.albedo_0 = albedo_1;
+    _S561.normal_1 = normal_5;
+    _S561.place_0 = place_9;
+    _S561.instance_7 = instance_15;
+    return _S561;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S566 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S566, _S566, false, _S566, _S566, _S566, u32(4294967295));
+    var _S562 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S562, _S562, false, _S562, _S562, _S562, u32(4294967295));
 }
 
-fn Item_is_cell_0( this_65 : Item_0) -> bool
+fn Item_is_cell_0( this_67 : Item_0) -> bool
 {
-    return (this_65.kind_2) == u32(0);
+    return (this_67.kind_2) == u32(0);
 }
 
-fn Key_voxel_0( this_66 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
+fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S567 : u32 = Key_level_0(this_66);
-    var bits_4 : u32 = ((u32(1) << (_S567))) - u32(1);
-    var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_66)))))));
-    return (((this_66.cube_0) << (vec3<u32>(u32(i32(_S567)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S567))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S567)))) & (bits_4))));
+    var _S563 : u32 = Key_level_0(this_68);
+    var bits_4 : u32 = ((u32(1) << (_S563))) - u32(1);
+    var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_68)))))));
+    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S563)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S563))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S563)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S568 : Path_0;
-    _S568.sampler_0 = sampler_5;
-    _S568.bounce_0 = bounce_4;
-    _S568.event_0 = event_2;
-    _S568.kinds_0 = kinds_1;
-    _S568.scattered_0 = scattered_5;
-    _S568.beta_0 = beta_1;
-    _S568.pdf_1 = pdf_14;
-    _S568.normal_0 = normal_6;
-    _S568.selection_0 = selection_5;
-    _S568.passed_t_0 = passed_t_1;
-    _S568.inside_0 = inside_8;
-    _S568.is_clipped_0 = is_clipped_1;
-    return _S568;
+    var _S564 : Path_0;
+    _S564.sampler_0 = sampler_5;
+    _S564.bounce_0 = bounce_4;
+    _S564.event_0 = event_2;
+    _S564.kinds_0 = kinds_1;
+    _S564.scattered_0 = scattered_5;
+    _S564.beta_0 = beta_1;
+    _S564.pdf_1 = pdf_14;
+    _S564.normal_0 = normal_6;
+    _S564.selection_0 = selection_5;
+    _S564.passed_t_0 = passed_t_1;
+    _S564.inside_0 = inside_8;
+    _S564.is_clipped_0 = is_clipped_1;
+    return _S564;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8435,22 +8381,22 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S569 : f32 = z_1.z;
-    var sign_1 : f32;
-    if(_S569 < 0.0f)
+    var _S565 : f32 = z_1.z;
+    var sign_0 : f32;
+    if(_S565 < 0.0f)
     {
-        sign_1 = -1.0f;
+        sign_0 = -1.0f;
     }
     else
     {
-        sign_1 = 1.0f;
+        sign_0 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S569);
-    var _S570 : f32 = z_1.x;
-    var _S571 : f32 = z_1.y;
-    var b_7 : f32 = _S570 * _S571 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_1 * _S570 * _S570 * a_7, sign_1 * b_7, - sign_1 * _S570);
-    (*y_6) = vec3<f32>(b_7, sign_1 + _S571 * _S571 * a_7, - _S571);
+    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S565);
+    var _S566 : f32 = z_1.x;
+    var _S567 : f32 = z_1.y;
+    var b_7 : f32 = _S566 * _S567 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_0 * _S566 * _S566 * a_7, sign_0 * b_7, - sign_0 * _S566);
+    (*y_6) = vec3<f32>(b_7, sign_0 + _S567 * _S567 * a_7, - _S567);
     return;
 }
 
@@ -8461,9 +8407,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_7, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S572 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S572);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S572);
+    var _S568 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S568);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S568);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8473,41 +8419,41 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_8, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S573 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S573);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S573);
+    var _S569 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S569);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S569);
 }
 
-fn Surface_x24init_0( origin_11 : vec3<f32>,  normal_9 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_9 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S574 : Surface_0;
-    _S574.origin_9 = origin_11;
-    _S574.normal_3 = normal_9;
-    _S574.face_2 = face_11;
-    _S574.instance_11 = instance_16;
-    return _S574;
+    var _S570 : Surface_0;
+    _S570.origin_11 = origin_13;
+    _S570.normal_3 = normal_9;
+    _S570.face_2 = face_11;
+    _S570.instance_11 = instance_16;
+    return _S570;
 }
 
-fn Walker_x24init_0( path_14 : Path_0,  ray_34 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_14 : Path_0,  ray_31 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S575 : Walker_0;
-    _S575.path_0 = path_14;
-    _S575.ray_10 = ray_34;
-    _S575.is_shadow_ray_0 = is_shadow_ray_1;
-    _S575.light_0 = light_15;
-    _S575.direction_4 = direction_30;
-    _S575.path_origin_0 = path_origin_3;
-    _S575.shadow_inside_0 = shadow_inside_3;
-    _S575.boundaries_0 = boundaries_1;
-    _S575.relocates_0 = relocates_3;
-    _S575.path_relocates_0 = path_relocates_3;
-    _S575.camera_ray_0 = camera_ray_2;
-    _S575.way_3 = way_7;
-    _S575.has_shown_0 = has_shown_1;
-    _S575.asks_cache_0 = asks_cache_1;
-    _S575.life_0 = life_3;
-    _S575.is_at_cell_0 = is_at_cell_1;
-    return _S575;
+    var _S571 : Walker_0;
+    _S571.path_0 = path_14;
+    _S571.ray_7 = ray_31;
+    _S571.is_shadow_ray_0 = is_shadow_ray_1;
+    _S571.light_0 = light_15;
+    _S571.direction_4 = direction_30;
+    _S571.path_origin_0 = path_origin_3;
+    _S571.shadow_inside_0 = shadow_inside_3;
+    _S571.boundaries_0 = boundaries_1;
+    _S571.relocates_0 = relocates_3;
+    _S571.path_relocates_0 = path_relocates_3;
+    _S571.camera_ray_0 = camera_ray_2;
+    _S571.way_3 = way_7;
+    _S571.has_shown_0 = has_shown_1;
+    _S571.asks_cache_0 = asks_cache_1;
+    _S571.life_0 = life_3;
+    _S571.is_at_cell_0 = is_at_cell_1;
+    return _S571;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8515,7 +8461,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S576 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S572 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8532,17 +8478,17 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S577 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_12 : vec3<f32> = Transform_point_0(_S577.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S577.grid_from_world_0.translation_0), _S576, face_12, _S576 + on_face_2));
-    var normal_10 : vec3<f32> = world_normal_0(_S577, face_12);
+    var _S573 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S573.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S573.grid_from_world_0.translation_0), _S572, face_12, _S572 + on_face_2));
+    var normal_10 : vec3<f32> = world_normal_0(_S573, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S578 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S578));
-    path_15.pdf_1 = _S578;
-    var receiver_29 : Receiver_0 = Receiver_x24init_0(origin_12, normal_10);
+    var _S574 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S574));
+    path_15.pdf_1 = _S574;
+    var receiver_29 : Receiver_0 = Receiver_x24init_0(origin_14, normal_10);
     path_15.selection_0 = Lights_selection_0(receiver_29);
     path_15.normal_0 = normal_10;
-    var surface_6 : Surface_0 = Surface_x24init_0(origin_12, normal_10, face_12, key_5.instance_9);
+    var surface_6 : Surface_0 = Surface_x24init_0(origin_14, normal_10, face_12, key_5.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -8550,8 +8496,8 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
-    var ray_35 : Ray_0 = ray_from_0(origin_12, direction_31);
-    return Walker_x24init_0(path_15, ray_35, false, vec3<f32>(0.0f), direction_31, origin_12, in_air_0(), u32(0), false, false, ray_35, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
+    var ray_32 : Ray_0 = ray_from_0(origin_14, direction_31);
+    return Walker_x24init_0(path_15, ray_32, false, vec3<f32>(0.0f), direction_31, origin_14, in_air_0(), u32(0), false, false, ray_32, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -8559,54 +8505,54 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn Item_asks_cache_0( this_67 : Item_0) -> bool
+fn Item_asks_cache_0( this_69 : Item_0) -> bool
 {
-    var _S579 : bool;
-    if(Item_is_cell_0(this_67))
+    var _S575 : bool;
+    if(Item_is_cell_0(this_69))
     {
-        _S579 = true;
+        _S575 = true;
     }
     else
     {
-        if((this_67.kind_2) == u32(1))
+        if((this_69.kind_2) == u32(1))
         {
-            _S579 = has_0(u32(1));
+            _S575 = has_0(u32(1));
         }
         else
         {
-            _S579 = false;
+            _S575 = false;
         }
     }
-    return _S579;
+    return _S575;
 }
 
 fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_36 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
-    var _S580 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_36, false, _S580, _S580, _S580, in_air_0(), u32(0), true, true, ray_36, 0.0f, false, asks_cache_2, u32(10), false);
+    var ray_33 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
+    var _S576 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S576, _S576, _S576, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
-fn Item_start_0( this_68 : Item_0) -> Walker_0
+fn Item_start_0( this_70 : Item_0) -> Walker_0
 {
-    if(Item_is_cell_0(this_68))
+    if(Item_is_cell_0(this_70))
     {
         var rank_8 : u32;
-        var key_6 : Key_0 = Item_key_1(this_68, &(rank_8));
-        var _S581 : Walker_0 = at_cell_0(key_6, rank_8, this_68.sampler_2);
-        return _S581;
+        var key_6 : Key_0 = Item_key_1(this_70, &(rank_8));
+        var _S577 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
+        return _S577;
     }
-    var _S582 : CameraFrame_0 = FrameParams_camera_0();
+    var _S578 : CameraFrame_0 = FrameParams_camera_0();
     var camera_2 : CameraFrame_0;
-    if((this_68.kind_2) == u32(3))
+    if((this_70.kind_2) == u32(3))
     {
         camera_2 = camera_before_0();
     }
     else
     {
-        camera_2 = _S582;
+        camera_2 = _S578;
     }
-    return at_camera_0(this_68.at_13, camera_2, this_68.sampler_2, Item_asks_cache_0(this_68));
+    return at_camera_0(this_70.at_13, camera_2, this_70.sampler_2, Item_asks_cache_0(this_70));
 }
 
 fn scratch_row_0( row_14 : u32,  index_36 : u32) -> vec2<u32>
@@ -8624,14 +8570,19 @@ fn words_in_0( slot_6 : u32) -> vec3<u32>
     return vec3<u32>(scratch_row_0(u32(8), slot_6).y, scratch_row_0(u32(9), slot_6));
 }
 
-fn hit_in_slot_0( slot_7 : u32,  ray_37 : Ray_0) -> Hit_0
+fn hit_of_0( ray_34 : LocalRay_0,  voxel_26 : vec3<i32>,  instance_17 : u32) -> Hit_0
 {
-    var instance_17 : u32 = end_word_0(slot_7);
-    if(instance_17 == u32(4294967295))
+    return hit_at_0(crossing_among_0(LocalRay_mirrored_origin_0(ray_34), abs(ray_34.direction_1), select(voxel_26, ~voxel_26, (ray_34.direction_1) < vec3<f32>(0.0f)), false), ray_34.t_min_1, abs(ray_34.inverse_0), voxel_26, instance_17, LocalRay_octant_0(ray_34));
+}
+
+fn hit_in_slot_0( slot_7 : u32,  ray_35 : Ray_0) -> Hit_0
+{
+    var instance_18 : u32 = end_word_0(slot_7);
+    if(instance_18 == u32(4294967295))
     {
         return miss_0();
     }
-    return hit_of_0(local_ray_0(ray_37, Instances_operatorx5Bx5D_get_0(instance_17).grid_from_world_0), vec3<i32>(words_in_0(slot_7)), instance_17);
+    return hit_of_0(local_ray_0(ray_35, Instances_operatorx5Bx5D_get_0(instance_18).grid_from_world_0), vec3<i32>(words_in_0(slot_7)), instance_18);
 }
 
 struct Slot_0
@@ -8643,25 +8594,25 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S583 : Slot_0;
-    _S583.item_2 = item_3;
-    _S583.own_3 = own_4;
-    _S583.lent_0 = lent_1;
-    return _S583;
+    var _S579 : Slot_0;
+    _S579.item_2 = item_3;
+    _S579.own_3 = own_4;
+    _S579.lent_0 = lent_1;
+    return _S579;
 }
 
 fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    var _S584 : bool;
+    var _S580 : bool;
     if(!has_0(u32(1024)))
     {
-        _S584 = true;
+        _S580 = true;
     }
     else
     {
-        _S584 = Hit_is_miss_0(hit_23);
+        _S580 = Hit_is_miss_0(hit_23);
     }
-    if(_S584)
+    if(_S580)
     {
         return false;
     }
@@ -8672,36 +8623,36 @@ fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
         {
             if((material_18.ior_0) == 1.0f)
             {
-                _S584 = true;
+                _S580 = true;
             }
             else
             {
-                _S584 = (params_0.clear_shadows_0) != u32(0);
+                _S580 = (params_0.clear_shadows_0) != u32(0);
             }
         }
         else
         {
-            _S584 = false;
+            _S580 = false;
         }
-        return _S584;
+        return _S580;
     }
     if((material_18.transmission_0) > 0.0f)
     {
-        _S584 = true;
+        _S580 = true;
     }
     else
     {
-        _S584 = (material_18.metallic_0) > 0.0f;
+        _S580 = (material_18.metallic_0) > 0.0f;
     }
-    if(_S584)
+    if(_S580)
     {
-        _S584 = true;
+        _S580 = true;
     }
     else
     {
-        _S584 = (material_18.specular_0) > 0.0f;
+        _S580 = (material_18.specular_0) > 0.0f;
     }
-    return _S584;
+    return _S580;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8710,47 +8661,47 @@ fn set_left_0( slot_8 : u32)
     return;
 }
 
-fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
+fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S585 : bool;
+    var _S581 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S585 = true;
+        _S581 = true;
     }
     else
     {
-        _S585 = Inside_is_in_0(path_16.inside_0);
+        _S581 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S585)
+    if(_S581)
     {
         return false;
     }
     var material_19 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_19.metallic_0) > 0.0f)
     {
-        _S585 = true;
+        _S581 = true;
     }
     else
     {
-        _S585 = (material_19.transmission_0) > 0.0f;
+        _S581 = (material_19.transmission_0) > 0.0f;
     }
-    if(_S585)
+    if(_S581)
     {
         return false;
     }
     var code_6 : u32;
-    var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
+    var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_36.origin_0 + ray_36.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
     var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
     if(life_4 == u32(0))
     {
-        _S585 = true;
+        _S581 = true;
     }
     else
     {
-        _S585 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < least_2;
+        _S581 = (hit_24.t_0 * square_root_0(length_squared_0(ray_36.direction_0))) < least_2;
     }
-    if(_S585)
+    if(_S581)
     {
         return false;
     }
@@ -8765,23 +8716,23 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S586 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S586.x) & (u32(1023)))) | (((((u32(_S586.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S586.z) & (u32(1023)))) << (u32(20))))));
+    var _S582 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S582.x) & (u32(1023)))) | (((((u32(_S582.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S582.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S587 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S588 : u32;
+    var _S583 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S584 : u32;
     if(sample_24.is_shown_0)
     {
-        _S588 = u32(1073741824);
+        _S584 = u32(1073741824);
     }
     else
     {
-        _S588 = u32(0);
+        _S584 = u32(0);
     }
-    var normal_12 : u32 = (_S587 | (_S588));
+    var normal_12 : u32 = (_S583 | (_S584));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -8792,65 +8743,65 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
     return;
 }
 
-fn Slot_keep_0( this_69 : Slot_0,  at_19 : Walker_0,  instance_18 : u32,  face_13 : u32)
+fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_19 : u32,  face_13 : u32)
 {
-    var word_10 : u32 = (((((instance_18 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S589 : u32;
+    var word_10 : u32 = (((((instance_19 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
+    var _S585 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S589 = (bitcast<u32>((at_19.ray_10.t_max_0)));
+        _S585 = (bitcast<u32>((at_19.ray_7.t_max_0)));
     }
     else
     {
-        _S589 = u32(0);
+        _S585 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_69.own_3, vec2<u32>(_S589, word_10));
-    set_scratch_row_0(u32(7), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.origin_0.xy))));
-    set_scratch_row_0(u32(8), this_69.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_10.origin_0.z, at_19.ray_10.direction_0.x)))));
-    set_scratch_row_0(u32(9), this_69.own_3, (bitcast<vec2<u32>>((at_19.ray_10.direction_0.yz))));
+    set_scratch_row_0(u32(4), this_71.own_3, vec2<u32>(_S585, word_10));
+    set_scratch_row_0(u32(7), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
+    set_scratch_row_0(u32(8), this_71.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
+    set_scratch_row_0(u32(9), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
     return;
 }
 
-fn Slot_keep_first_0( this_70 : Slot_0,  at_20 : Walker_0,  instance_19 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
+fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_20 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S590 : Sample_0 = sample_25;
-    _S590.light_1 = vec3<f32>(0.0f);
-    _S590.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_70.own_3, _S590);
-    scratch_0[u32(3) * real_time_0.slots_0 + this_70.own_3][i32(1)] = (bitcast<u32>((t_18)));
-    Slot_keep_0(this_70, at_20, instance_19, face_14);
+    var _S586 : Sample_0 = sample_25;
+    _S586.light_1 = vec3<f32>(0.0f);
+    _S586.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_72.own_3, _S586);
+    scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_3][i32(1)] = (bitcast<u32>((t_18)));
+    Slot_keep_0(this_72, at_20, instance_20, face_14);
     return;
 }
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S591 : f32;
+    var _S587 : f32;
     if(sample_26.is_shown_0)
     {
-        _S591 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S587 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S591 = 0.0f;
+        _S587 = 0.0f;
     }
-    return _S591;
+    return _S587;
 }
 
-fn Item_end_0( this_71 : Item_0,  sample_27 : Sample_0)
+fn Item_end_0( this_73 : Item_0,  sample_27 : Sample_0)
 {
-    if(Item_is_cell_0(this_71))
+    if(Item_is_cell_0(this_73))
     {
-        set_cell_row_0(u32(3), this_71.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_27.light_1))), u32(1)));
+        set_cell_row_0(u32(3), this_73.place_6, vec4<u32>((bitcast<vec3<u32>>((sample_27.light_1))), u32(1)));
     }
     else
     {
-        if((this_71.kind_2) == u32(1))
+        if((this_73.kind_2) == u32(1))
         {
-            store_sample_0(this_71.place_6, sample_27);
+            store_sample_0(this_73.place_6, sample_27);
         }
         else
         {
-            memory_rows_0[this_71.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_27.place_0))), (bitcast<u32>((light_on_0(sample_27)))));
+            memory_rows_0[this_73.place_6] = vec4<u32>((bitcast<vec3<u32>>((sample_27.place_0))), (bitcast<u32>((light_on_0(sample_27)))));
         }
     }
     return;
@@ -8862,10 +8813,10 @@ fn set_over_0( slot_9 : u32)
     return;
 }
 
-fn Slot_end_0( this_72 : Slot_0,  sample_28 : Sample_0)
+fn Slot_end_0( this_74 : Slot_0,  sample_28 : Sample_0)
 {
-    Item_end_0(this_72.item_2, sample_28);
-    set_over_0(this_72.own_3);
+    Item_end_0(this_74.item_2, sample_28);
+    set_over_0(this_74.own_3);
     return;
 }
 
@@ -8880,40 +8831,40 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S592 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S592;
-        var _S593 : Hit_0 = miss_0();
+        var _S588 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S588;
+        var _S589 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
-        var instance_20 : u32;
+        var instance_21 : u32;
         var face_15 : u32;
         if(Item_is_cell_0(item_4))
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S594 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S593;
-            instance_20 = key_8.instance_9;
-            face_15 = _S594;
+            var _S590 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S589;
+            instance_21 = key_8.instance_9;
+            face_15 = _S590;
         }
         else
         {
-            var hit_26 : Hit_0 = hit_in_slot_0(item_4.slot_0, at_21.ray_10);
+            var hit_26 : Hit_0 = hit_in_slot_0(item_4.slot_0, at_21.ray_7);
             hit_25 = hit_26;
-            instance_20 = hit_26.instance_0;
+            instance_21 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S595 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S595, _S595);
+        var _S591 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S591, _S591);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S596 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S596)
+            var _S592 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S592)
             {
-                Slot_keep_first_0(slot_10, at_21, instance_20, face_15, hit_25.t_0, sample_29);
+                Slot_keep_first_0(slot_10, at_21, instance_21, face_15, hit_25.t_0, sample_29);
             }
             else
             {
@@ -8934,52 +8885,52 @@ fn origin_in_0( slot_12 : u32) -> vec3<f32>
     return vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), slot_12)))), (bitcast<f32>((scratch_row_0(u32(8), slot_12).x))));
 }
 
-fn Slot_face_word_0( this_73 : Slot_0) -> u32
+fn Slot_face_word_0( this_75 : Slot_0) -> u32
 {
-    return scratch_row_0(u32(4), this_73.own_3).y;
+    return scratch_row_0(u32(4), this_75.own_3).y;
 }
 
-fn Slot_face_0( this_74 : Slot_0) -> u32
+fn Slot_face_0( this_76 : Slot_0) -> u32
 {
-    return ((Slot_face_word_0(this_74)) & (u32(7)));
+    return ((Slot_face_word_0(this_76)) & (u32(7)));
 }
 
-fn Slot_instance_0( this_75 : Slot_0) -> u32
+fn Slot_instance_0( this_77 : Slot_0) -> u32
 {
-    return ((Slot_face_word_0(this_75)) >> (u32(5)));
+    return ((Slot_face_word_0(this_77)) >> (u32(5)));
 }
 
-fn Slot_scatter_0( this_76 : Slot_0) -> Scatter_0
+fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S597 : vec3<f32> = origin_in_0(this_76.own_3);
-    surface_7.origin_9 = _S597;
-    var _S598 : u32 = Slot_face_0(this_76);
-    surface_7.face_2 = _S598;
-    var _S599 : u32 = Slot_instance_0(this_76);
-    surface_7.instance_11 = _S599;
-    var _S600 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S599), _S598);
-    surface_7.normal_3 = _S600;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S597, _S600);
-    var path_17 : Path_0 = path_from_0(this_76.item_2.sampler_2);
+    var _S593 : vec3<f32> = origin_in_0(this_78.own_3);
+    surface_7.origin_11 = _S593;
+    var _S594 : u32 = Slot_face_0(this_78);
+    surface_7.face_2 = _S594;
+    var _S595 : u32 = Slot_instance_0(this_78);
+    surface_7.instance_11 = _S595;
+    var _S596 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S595), _S594);
+    surface_7.normal_3 = _S596;
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S593, _S596);
+    var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_30);
     var bsdf_2 : MaterialBsdf_0;
     bsdf_2.kind_0 = u32(0);
-    bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_76.own_3)))), (bitcast<f32>((scratch_row_0(u32(6), this_76.own_3).x))));
+    bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_78.own_3)))), (bitcast<f32>((scratch_row_0(u32(6), this_78.own_3).x))));
     bsdf_2.specular_1 = 0.0f;
     bsdf_2.eta_0 = 1.0f;
     bsdf_2.facets_0.alpha_0 = 1.0f;
     return Scatter_x24init_0(path_17, receiver_30, surface_7, bsdf_2, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
 }
 
-fn Slot_keep_light_0( this_77 : Slot_0,  next_8 : NextRays_0)
+fn Slot_keep_light_0( this_79 : Slot_0,  next_8 : NextRays_0)
 {
     if(next_8.has_shadow_ray_0)
     {
-        set_scratch_row_0(u32(0), this_77.own_3, (bitcast<vec2<u32>>((next_8.light_2.xy))));
-        scratch_0[real_time_0.slots_0 + this_77.own_3][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
-        set_end_word_0(this_77.own_3, (bitcast<u32>((next_8.shadow_t_max_0))));
-        set_words_0(this_77.own_3, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
+        set_scratch_row_0(u32(0), this_79.own_3, (bitcast<vec2<u32>>((next_8.light_2.xy))));
+        scratch_0[real_time_0.slots_0 + this_79.own_3][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
+        set_end_word_0(this_79.own_3, (bitcast<u32>((next_8.shadow_t_max_0))));
+        set_words_0(this_79.own_3, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
     }
     return;
 }
@@ -8991,18 +8942,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S601 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S601, _S601);
-    var _S602 : bool;
+    var _S597 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S597, _S597);
+    var _S598 : bool;
     if(item_5.traces_0)
     {
-        _S602 = !is_over_0(item_5.slot_0);
+        _S598 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S602 = false;
+        _S598 = false;
     }
-    if(_S602)
+    if(_S598)
     {
         first_candidates_0 = real_time_0.candidates_0;
         var next_9 : NextRays_0 = no_rays_0();
@@ -9012,101 +8963,101 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     return;
 }
 
-fn Slot_bounce_0( this_78 : Slot_0) -> u32
+fn Slot_bounce_0( this_80 : Slot_0) -> u32
 {
-    return ((((Slot_face_word_0(this_78)) >> (u32(3)))) & (u32(3)));
+    return ((((Slot_face_word_0(this_80)) >> (u32(3)))) & (u32(3)));
 }
 
-fn Slot_ray_0( this_79 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
+fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S603 : bool;
-    if(Item_is_cell_0(this_79.item_2))
+    var _S599 : bool;
+    if(Item_is_cell_0(this_81.item_2))
     {
-        _S603 = (Slot_bounce_0(this_79)) == u32(1);
+        _S599 = (Slot_bounce_0(this_81)) == u32(1);
     }
     else
     {
-        _S603 = false;
+        _S599 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S603)
+    if(_S599)
     {
-        var _S604 : vec3<f32> = direction_from_cell_1(this_79.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_79)), Slot_face_0(this_79)), &((*pdf_17)));
-        direction_32 = _S604;
+        var _S600 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
+        direction_32 = _S600;
     }
     else
     {
         var surface_8 : Surface_0;
-        surface_8.face_2 = Slot_face_0(this_79);
-        surface_8.instance_11 = Slot_instance_0(this_79);
-        var u_33 : vec4<f32> = Sampler_stratified_0(this_79.item_2.sampler_2, u32(2) * Slot_bounce_0(this_79) - u32(1));
+        surface_8.face_2 = Slot_face_0(this_81);
+        surface_8.instance_11 = Slot_instance_0(this_81);
+        var u_33 : vec4<f32> = Sampler_stratified_0(this_81.item_2.sampler_2, u32(2) * Slot_bounce_0(this_81) - u32(1));
         var wi_8 : vec3<f32> = cosine_hemisphere_0(u_33.x, u_33.y);
         (*pdf_17) = cosine_hemisphere_pdf_0(wi_8.z);
         direction_32 = Surface_world_direction_0(surface_8, wi_8);
     }
-    return ray_from_0(origin_in_0(this_79.own_3), direction_32);
+    return ray_from_0(origin_in_0(this_81.own_3), direction_32);
 }
 
-fn Slot_ray_1( this_80 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
+fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S605 : bool;
-    if(Item_is_cell_0(this_80.item_2))
+    var _S601 : bool;
+    if(Item_is_cell_0(this_82.item_2))
     {
-        _S605 = (Slot_bounce_0(this_80)) == u32(1);
+        _S601 = (Slot_bounce_0(this_82)) == u32(1);
     }
     else
     {
-        _S605 = false;
+        _S601 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S605)
+    if(_S601)
     {
-        var _S606 : vec3<f32> = direction_from_cell_1(this_80.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_80)), Slot_face_0(this_80)), &((*pdf_18)));
-        direction_33 = _S606;
+        var _S602 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
+        direction_33 = _S602;
     }
     else
     {
         var surface_9 : Surface_0;
-        surface_9.face_2 = Slot_face_0(this_80);
-        surface_9.instance_11 = Slot_instance_0(this_80);
-        var u_34 : vec4<f32> = Sampler_stratified_0(this_80.item_2.sampler_2, u32(2) * Slot_bounce_0(this_80) - u32(1));
+        surface_9.face_2 = Slot_face_0(this_82);
+        surface_9.instance_11 = Slot_instance_0(this_82);
+        var u_34 : vec4<f32> = Sampler_stratified_0(this_82.item_2.sampler_2, u32(2) * Slot_bounce_0(this_82) - u32(1));
         var wi_9 : vec3<f32> = cosine_hemisphere_0(u_34.x, u_34.y);
         (*pdf_18) = cosine_hemisphere_pdf_0(wi_9.z);
         direction_33 = Surface_world_direction_0(surface_9, wi_9);
     }
-    return ray_from_0(origin_in_0(this_80.own_3), direction_33);
+    return ray_from_0(origin_in_0(this_82.own_3), direction_33);
 }
 
-fn Slot_darken_0( this_81 : Slot_0)
+fn Slot_darken_0( this_83 : Slot_0)
 {
-    if((Slot_bounce_0(this_81)) == u32(1))
+    if((Slot_bounce_0(this_83)) == u32(1))
     {
-        set_scratch_row_0(u32(0), this_81.own_3, vec2<u32>(vec2<i32>(i32(0))));
-        scratch_0[real_time_0.slots_0 + this_81.own_3][i32(0)] = u32(0);
+        set_scratch_row_0(u32(0), this_83.own_3, vec2<u32>(vec2<i32>(i32(0))));
+        scratch_0[real_time_0.slots_0 + this_83.own_3][i32(0)] = u32(0);
     }
     else
     {
-        scratch_0[u32(8) * real_time_0.slots_0 + this_81.lent_0][i32(1)] = u32(0);
-        set_scratch_row_0(u32(9), this_81.lent_0, vec2<u32>(vec2<i32>(i32(0))));
+        scratch_0[u32(8) * real_time_0.slots_0 + this_83.lent_0][i32(1)] = u32(0);
+        set_scratch_row_0(u32(9), this_83.lent_0, vec2<u32>(vec2<i32>(i32(0))));
     }
     return;
 }
 
-fn Slot_walk_0( this_82 : Slot_0)
+fn Slot_walk_0( this_84 : Slot_0)
 {
-    var end_4 : u32 = end_word_0(this_82.own_3);
+    var end_4 : u32 = end_word_0(this_84.own_3);
     var pdf_19 : f32;
-    var ray_39 : Ray_0 = Ray_x24init_0(origin_in_0(this_82.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_82.own_3)))), (bitcast<f32>((end_4))));
-    var _S607 : i32;
+    var ray_37 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_3)))), (bitcast<f32>((end_4))));
+    var _S603 : i32;
     if(end_4 == u32(0))
     {
-        _S607 = i32(1);
+        _S603 = i32(1);
     }
     else
     {
-        _S607 = i32(0);
+        _S603 = i32(0);
     }
-    var turn_0 : u32 = u32(_S607);
+    var turn_0 : u32 = u32(_S603);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9116,36 +9067,36 @@ fn Slot_walk_0( this_82 : Slot_0)
         {
             break;
         }
-        var _S608 : bool = turn_0 == u32(1);
-        if(_S608)
+        var _S604 : bool = turn_0 == u32(1);
+        if(_S604)
         {
-            ray_39 = Slot_ray_0(this_82, &(pdf_19));
+            ray_37 = Slot_ray_0(this_84, &(pdf_19));
         }
-        var _S609 : bool = turn_0 == u32(0);
-        var _S610 : Hit_0 = WalkTracer_trace_0(&(ray_39), _S609);
-        var _S611 : bool;
-        if(_S609)
+        var _S605 : bool = turn_0 == u32(0);
+        var _S606 : Hit_0 = WalkTracer_trace_0(&(ray_37), _S605);
+        var _S607 : bool;
+        if(_S605)
         {
-            _S611 = leaves_0(_S610, true);
+            _S607 = leaves_0(_S606, true);
         }
         else
         {
-            _S611 = false;
+            _S607 = false;
         }
-        if(_S611)
+        if(_S607)
         {
-            set_left_0(this_82.own_3);
+            set_left_0(this_84.own_3);
             return;
         }
-        if(_S608)
+        if(_S604)
         {
-            keep_hit_0(this_82.own_3, _S610);
+            keep_hit_0(this_84.own_3, _S606);
         }
         else
         {
-            if(!Hit_is_miss_0(_S610))
+            if(!Hit_is_miss_0(_S606))
             {
-                Slot_darken_0(this_82);
+                Slot_darken_0(this_84);
             }
         }
         turn_0 = turn_0 + u32(1);
@@ -9160,20 +9111,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var slot_14 : Slot_0;
-    var _S612 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S612;
+    var _S608 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S608;
     slot_14.own_3 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S613 : bool;
+    var _S609 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S613 = !is_over_0(slot_14.own_3);
+        _S609 = !is_over_0(slot_14.own_3);
     }
     else
     {
-        _S613 = false;
+        _S609 = false;
     }
-    if(_S613)
+    if(_S609)
     {
         Slot_walk_0(slot_14);
     }
@@ -9196,104 +9147,104 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S614 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S614);
-    sample_30.is_shown_0 = ((_S614 & (u32(1073741824)))) != u32(0);
+    var _S610 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S610);
+    sample_30.is_shown_0 = ((_S610 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
-fn Slot_walker_0( this_83 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Walker_0
+fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Walker_0
 {
-    (*sample_31) = load_sample_0(this_83.own_3);
-    var bounce_5 : u32 = Slot_bounce_0(this_83);
+    (*sample_31) = load_sample_0(this_85.own_3);
+    var bounce_5 : u32 = Slot_bounce_0(this_85);
     var at_22 : Walker_0;
-    at_22.path_0 = path_from_0(this_83.item_2.sampler_2);
+    at_22.path_0 = path_from_0(this_85.item_2.sampler_2);
     at_22.path_0.bounce_0 = bounce_5;
     at_22.path_0.event_0 = bounce_5;
     at_22.path_0.scattered_0 = bounce_5;
     at_22.path_0.beta_0 = (*sample_31).albedo_0;
     if(bounce_5 > u32(1))
     {
-        at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_83.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).x))));
-        (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_83.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_83.lent_0)))));
+        at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_85.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).x))));
+        (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_85.lent_0)))));
     }
-    var _S615 : f32 = at_22.path_0.pdf_1;
-    var _S616 : Ray_0 = Slot_ray_1(this_83, &(_S615));
-    at_22.path_0.pdf_1 = _S615;
-    at_22.ray_10 = _S616;
-    at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_83)), Slot_face_0(this_83));
+    var _S611 : f32 = at_22.path_0.pdf_1;
+    var _S612 : Ray_0 = Slot_ray_1(this_85, &(_S611));
+    at_22.path_0.pdf_1 = _S611;
+    at_22.ray_7 = _S612;
+    at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_85)), Slot_face_0(this_85));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
-    at_22.direction_4 = at_22.ray_10.direction_0;
-    at_22.path_origin_0 = at_22.ray_10.origin_0;
+    at_22.direction_4 = at_22.ray_7.direction_0;
+    at_22.path_origin_0 = at_22.ray_7.origin_0;
     at_22.shadow_inside_0 = in_air_0();
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S616;
+    at_22.camera_ray_0 = _S612;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
-    at_22.asks_cache_0 = Item_asks_cache_0(this_83.item_2);
+    at_22.asks_cache_0 = Item_asks_cache_0(this_85.item_2);
     at_22.life_0 = u32(10);
     at_22.is_at_cell_0 = false;
-    if(Item_is_cell_0(this_83.item_2))
+    if(Item_is_cell_0(this_85.item_2))
     {
         var rank_10 : u32;
-        var _S617 : Key_0 = Item_key_2(this_83.item_2, &(rank_10));
+        var _S613 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_40 : Ray_0 = camera_ray_1(this_83.item_2.at_13, FrameParams_camera_0(), this_83.item_2.sampler_2);
-        (*sample_31).place_0 = ray_40.origin_0 + ray_40.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_83.own_3).y))));
+        var ray_38 : Ray_0 = camera_ray_1(this_85.item_2.at_13, FrameParams_camera_0(), this_85.item_2.sampler_2);
+        (*sample_31).place_0 = ray_38.origin_0 + ray_38.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_85.own_3).y))));
     }
     return at_22;
 }
 
-fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Walker_0
+fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Walker_0
 {
-    (*sample_32) = load_sample_0(this_84.own_3);
-    var bounce_6 : u32 = Slot_bounce_0(this_84);
+    (*sample_32) = load_sample_0(this_86.own_3);
+    var bounce_6 : u32 = Slot_bounce_0(this_86);
     var at_23 : Walker_0;
-    at_23.path_0 = path_from_0(this_84.item_2.sampler_2);
+    at_23.path_0 = path_from_0(this_86.item_2.sampler_2);
     at_23.path_0.bounce_0 = bounce_6;
     at_23.path_0.event_0 = bounce_6;
     at_23.path_0.scattered_0 = bounce_6;
     at_23.path_0.beta_0 = (*sample_32).albedo_0;
     if(bounce_6 > u32(1))
     {
-        at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_84.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).x))));
-        (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_84.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_84.lent_0)))));
+        at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_86.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).x))));
+        (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_86.lent_0)))));
     }
-    var _S618 : f32 = at_23.path_0.pdf_1;
-    var _S619 : Ray_0 = Slot_ray_1(this_84, &(_S618));
-    at_23.path_0.pdf_1 = _S618;
-    at_23.ray_10 = _S619;
-    at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_84)), Slot_face_0(this_84));
+    var _S614 : f32 = at_23.path_0.pdf_1;
+    var _S615 : Ray_0 = Slot_ray_1(this_86, &(_S614));
+    at_23.path_0.pdf_1 = _S614;
+    at_23.ray_7 = _S615;
+    at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_86)), Slot_face_0(this_86));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
-    at_23.direction_4 = at_23.ray_10.direction_0;
-    at_23.path_origin_0 = at_23.ray_10.origin_0;
+    at_23.direction_4 = at_23.ray_7.direction_0;
+    at_23.path_origin_0 = at_23.ray_7.origin_0;
     at_23.shadow_inside_0 = in_air_0();
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S619;
+    at_23.camera_ray_0 = _S615;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
-    at_23.asks_cache_0 = Item_asks_cache_0(this_84.item_2);
+    at_23.asks_cache_0 = Item_asks_cache_0(this_86.item_2);
     at_23.life_0 = u32(10);
     at_23.is_at_cell_0 = false;
-    if(Item_is_cell_0(this_84.item_2))
+    if(Item_is_cell_0(this_86.item_2))
     {
         var rank_11 : u32;
-        var _S620 : Key_0 = Item_key_2(this_84.item_2, &(rank_11));
+        var _S616 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
-        var ray_41 : Ray_0 = camera_ray_1(this_84.item_2.at_13, FrameParams_camera_0(), this_84.item_2.sampler_2);
-        (*sample_32).place_0 = ray_41.origin_0 + ray_41.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_84.own_3).y))));
+        var ray_39 : Ray_0 = camera_ray_1(this_86.item_2.at_13, FrameParams_camera_0(), this_86.item_2.sampler_2);
+        (*sample_32).place_0 = ray_39.origin_0 + ray_39.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_86.own_3).y))));
     }
     return at_23;
 }
@@ -9301,21 +9252,21 @@ fn Slot_walker_1( this_84 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S621 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S621;
-    var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_10);
+    var _S617 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S617;
+    var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_7);
     if(leaves_0(hit_27, false))
     {
         set_left_0(slot_15.own_3);
         return false;
     }
-    var _S622 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S622;
+    var _S618 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S618;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S623 : bool = asks_2(at_24.path_0, at_24.ray_10, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S623;
+        var _S619 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S619;
     }
     else
     {
@@ -9342,10 +9293,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S622;
-    var _S624 : Path_0 = at_24.path_0;
-    var _S625 : NextRays_0 = PathTracingOf_advance_2(&(_S624), at_24.ray_10, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S624;
+    var emitted_6 : vec3<f32> = _S618;
+    var _S620 : Path_0 = at_24.path_0;
+    var _S621 : NextRays_0 = PathTracingOf_advance_2(&(_S620), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S620;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9362,34 +9313,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S626 : bool = thread_2 < u32(2);
-    if(_S626)
+    var _S622 : bool = thread_2 < u32(2);
+    if(_S622)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S627 : i32;
+    var _S623 : i32;
     if(goes_on_8)
     {
-        _S627 = i32(0);
+        _S623 = i32(0);
     }
     else
     {
-        _S627 = i32(1);
+        _S623 = i32(1);
     }
-    var list_1 : u32 = u32(_S627);
+    var list_1 : u32 = u32(_S623);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S628 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S628;
+        var _S624 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S624;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S626)
+    if(_S622)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9403,26 +9354,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S629 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S629;
+            var _S625 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S625;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S630 : bool;
+        var _S626 : bool;
         if(thread_2 == u32(0))
         {
-            _S630 = more_0 > u32(0);
+            _S626 = more_0 > u32(0);
         }
         else
         {
-            _S630 = false;
+            _S626 = false;
         }
-        if(_S630)
+        if(_S626)
         {
-            var _S631 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S627 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9457,10 +9408,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S632 : u32 = id_4.x;
-    var _S633 : Item_0 = item_of_0(_S632);
-    var item_7 : Item_0 = _S633;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S633, item_7.slot_0, item_7.slot_0);
+    var _S628 : u32 = id_4.x;
+    var _S629 : Item_0 = item_of_0(_S628);
+    var item_7 : Item_0 = _S629;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S629, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9472,38 +9423,38 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S634 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S634;
+        var _S630 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S630;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S635 : bool;
+    var _S631 : bool;
     if(item_7.traces_0)
     {
-        _S635 = !is_left_9(item_7.slot_0);
+        _S631 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S635 = false;
+        _S631 = false;
     }
-    item_7.traces_0 = _S635;
-    append_0(thread_3, _S632, item_7, goes_on_9);
+    item_7.traces_0 = _S631;
+    append_0(thread_3, _S628, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S636 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S636;
-    var _S637 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S637;
+    var _S632 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S632;
+    var _S633 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S633;
     if(slot_18.item_2.traces_0)
     {
-        var _S638 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S638;
+        var _S634 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S634;
         slot_18.own_3 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
@@ -9515,7 +9466,7 @@ fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
     return slot_18;
 }
 
-fn Slot_keep_later_0( this_85 : Slot_0,  at_26 : Walker_0,  hit_28 : Hit_0,  found_3 : vec3<f32>)
+fn Slot_keep_later_0( this_87 : Slot_0,  at_26 : Walker_0,  hit_28 : Hit_0,  found_4 : vec3<f32>)
 {
     var light_17 : vec3<f32>;
     if(at_26.is_shadow_ray_0)
@@ -9526,12 +9477,12 @@ fn Slot_keep_later_0( this_85 : Slot_0,  at_26 : Walker_0,  hit_28 : Hit_0,  fou
     {
         light_17 = vec3<f32>(0.0f);
     }
-    set_scratch_row_0(u32(0), this_85.own_3, (bitcast<vec2<u32>>((found_3.xy))));
-    scratch_0[real_time_0.slots_0 + this_85.own_3][i32(0)] = (bitcast<u32>((found_3.z)));
-    Slot_keep_0(this_85, at_26, hit_28.instance_0, hit_28.face_0);
-    set_scratch_row_0(u32(7), this_85.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
-    set_scratch_row_0(u32(8), this_85.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
-    set_scratch_row_0(u32(9), this_85.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
+    set_scratch_row_0(u32(0), this_87.own_3, (bitcast<vec2<u32>>((found_4.xy))));
+    scratch_0[real_time_0.slots_0 + this_87.own_3][i32(0)] = (bitcast<u32>((found_4.z)));
+    Slot_keep_0(this_87, at_26, hit_28.instance_0, hit_28.face_0);
+    set_scratch_row_0(u32(7), this_87.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
+    set_scratch_row_0(u32(8), this_87.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
+    set_scratch_row_0(u32(9), this_87.lent_0, (bitcast<vec2<u32>>((light_17.yz))));
     return;
 }
 
@@ -9543,31 +9494,31 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S639 : bool;
+    var _S635 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S639 = is_lent_1;
+        _S635 = is_lent_1;
     }
     else
     {
-        _S639 = false;
+        _S635 = false;
     }
-    if(_S639)
+    if(_S635)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S640 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S640;
-        var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_10);
+        var _S636 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S636;
+        var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_7);
         if(leaves_0(hit_29, false))
         {
             set_left_0(slot_19.own_3);
         }
         else
         {
-            var _S641 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S641)
+            var _S637 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S637)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9588,30 +9539,30 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S642 : bool;
+    var _S638 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S642 = is_lent_2;
+        _S638 = is_lent_2;
     }
     else
     {
-        _S642 = false;
+        _S638 = false;
     }
-    if(_S642)
+    if(_S638)
     {
         Slot_walk_0(slot_20);
     }
     return;
 }
 
-fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : bool,  found_4 : Sample_0)
+fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : bool,  found_5 : Sample_0)
 {
     var at_28 : Walker_0 = start_5;
-    var sample_35 : Sample_0 = found_4;
-    var _S643 : bool = !walks_0;
+    var sample_35 : Sample_0 = found_5;
+    var _S639 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S643;
-    var hit_30 : Hit_0 = first_1;
+    var is_met_4 : bool = _S639;
+    var hit_30 : Hit_0 = first_0;
     for(;;)
     {
         if(is_under_way_0)
@@ -9623,10 +9574,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S644 : Ray_0 = at_28.ray_10;
-            var _S645 : Hit_0 = WalkTracer_trace_0(&(_S644), at_28.is_shadow_ray_0);
-            at_28.ray_10 = _S644;
-            hit_30 = _S645;
+            var _S640 : Ray_0 = at_28.ray_7;
+            var _S641 : Hit_0 = WalkTracer_trace_0(&(_S640), at_28.is_shadow_ray_0);
+            at_28.ray_7 = _S640;
+            hit_30 = _S641;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -9640,13 +9591,13 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_1 : Hit_0,  walks_0 : 
                 sample_35.light_1 = sample_35.light_1 + at_28.light_0;
             }
             at_28.is_shadow_ray_0 = false;
-            at_28.ray_10 = ray_from_0(at_28.ray_10.origin_0, at_28.direction_4);
+            at_28.ray_7 = ray_from_0(at_28.ray_7.origin_0, at_28.direction_4);
             is_under_way_0 = (any(((at_28.direction_4) != vec3<f32>(0.0f))));
         }
         else
         {
-            var _S646 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S646;
+            var _S642 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S642;
         }
         is_met_4 = false;
     }
@@ -9668,7 +9619,7 @@ fn trace_rest(@builtin(global_invocation_id) id_7 : vec3<u32>)
         first_candidates_0 = u32(1);
         var sample_36 : Sample_0;
         var at_29 : Walker_0 = Slot_walker_1(slot_21, &(sample_36));
-        follow_0(slot_21.item_2, at_29, hit_in_slot_0(slot_21.own_3, at_29.ray_10), false, sample_36);
+        follow_0(slot_21.item_2, at_29, hit_in_slot_0(slot_21.own_3, at_29.ray_7), false, sample_36);
     }
     return;
 }
@@ -9684,8 +9635,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S647 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S647, miss_0(), true, no_sample_0());
+        var _S643 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S643, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -9696,14 +9647,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S648 : bool = thread_4 == u32(0);
-    if(_S648)
+    var _S644 : bool = thread_4 == u32(0);
+    if(_S644)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S649 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S649);
+    var _S645 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S645);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -9716,22 +9667,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S650 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S650;
+        var _S646 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S646;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S648)
+    if(_S644)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S651 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S651;
+            var _S647 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S647;
         }
         else
         {
@@ -9740,14 +9691,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S652 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S648 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S649;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S645;
     }
     return;
 }

@@ -1924,21 +1924,12 @@ fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_2 : f32, 
     return _S145;
 }
 
-fn crossing_of_0( ray_2 : LocalRay_0,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
+fn crossing_ahead_0( origin_6 : f32,  speed_3 : f32,  axis_2 : u32,  plane_0 : i32) -> Crossing_0
 {
-    var sign_0 : f32;
-    if((ray_2.direction_4[axis_2]) < 0.0f)
-    {
-        sign_0 = -1.0f;
-    }
-    else
-    {
-        sign_0 = 1.0f;
-    }
     var at_5 : f32 = f32(plane_0);
-    var difference_0 : f32 = at_5 - ray_2.origin_4[axis_2];
+    var difference_0 : f32 = at_5 - origin_6;
     var part_3 : f32 = difference_0 - at_5;
-    return Crossing_x24init_0(difference_0 * sign_0, (at_5 - (difference_0 - part_3) - (ray_2.origin_4[axis_2] + part_3)) * sign_0, abs(ray_2.direction_4[axis_2]), axis_2);
+    return Crossing_x24init_0(difference_0, at_5 - (difference_0 - part_3) - (origin_6 + part_3), speed_3, axis_2);
 }
 
 fn Crossing_is_before_0( this_25 : Crossing_0,  other_0 : Crossing_0) -> bool
@@ -1970,50 +1961,38 @@ fn Crossing_is_before_0( this_25 : Crossing_0,  other_0 : Crossing_0) -> bool
     return _S146;
 }
 
-fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
+fn crossing_among_0( origin_7 : vec3<f32>,  speed_4 : vec3<f32>,  planes_1 : vec3<i32>,  is_first_0 : bool) -> Crossing_0
 {
-    var _S147 : vec3<f32>;
-    var _S148 : f32;
-    var _S149 : bool;
-    var is_crossed_0 : bool;
-    var first_1 : Crossing_0;
-    var _S150 : f32;
-    var _S151 : bool;
-    var _S152 : f32;
-    var _S153 : bool;
-    var plane_1 : i32;
-    var _S154 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S147 : bool;
+    var found_0 : Crossing_0;
+    var _S148 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
         {
             for(;;)
             {
-                _S147 = ray_3.direction_4;
-                _S148 = ray_3.direction_4[u32(0)];
-                var _S155 : bool = (ray_3.direction_4[u32(0)]) == 0.0f;
-                _S149 = _S155;
-                if(_S155)
+                if((speed_4[u32(0)]) == 0.0f)
                 {
-                    first_1 = _S154;
+                    found_0 = _S148;
                     break;
                 }
-                var crossing_0 : Crossing_0 = crossing_of_0(ray_3, u32(0), exit_0[u32(0)]);
-                if((_S154.axis_0) == u32(3))
+                var crossing_0 : Crossing_0 = crossing_ahead_0(origin_7[u32(0)], speed_4[u32(0)], u32(0), planes_1[u32(0)]);
+                if((_S148.axis_0) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S147 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_0, _S154);
+                    _S147 = (Crossing_is_before_0(crossing_0, _S148)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S147)
                 {
-                    first_1 = crossing_0;
+                    found_0 = crossing_0;
                 }
                 else
                 {
-                    first_1 = _S154;
+                    found_0 = _S148;
                 }
                 break;
             }
@@ -2023,25 +2002,22 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S150 = _S147[u32(1)];
-                var _S156 : bool = (_S147[u32(1)]) == 0.0f;
-                _S151 = _S156;
-                if(_S156)
+                if((speed_4[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_1 : Crossing_0 = crossing_of_0(ray_3, u32(1), exit_0[u32(1)]);
-                if((first_1.axis_0) == u32(3))
+                var crossing_1 : Crossing_0 = crossing_ahead_0(origin_7[u32(1)], speed_4[u32(1)], u32(1), planes_1[u32(1)]);
+                if((found_0.axis_0) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S147 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_1, first_1);
+                    _S147 = (Crossing_is_before_0(crossing_1, found_0)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S147)
                 {
-                    first_1 = crossing_1;
+                    found_0 = crossing_1;
                 }
                 break;
             }
@@ -2051,25 +2027,22 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                _S152 = _S147[u32(2)];
-                var _S157 : bool = (_S147[u32(2)]) == 0.0f;
-                _S153 = _S157;
-                if(_S157)
+                if((speed_4[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var crossing_2 : Crossing_0 = crossing_of_0(ray_3, u32(2), exit_0[u32(2)]);
-                if((first_1.axis_0) == u32(3))
+                var crossing_2 : Crossing_0 = crossing_ahead_0(origin_7[u32(2)], speed_4[u32(2)], u32(2), planes_1[u32(2)]);
+                if((found_0.axis_0) == u32(3))
                 {
-                    is_crossed_0 = true;
+                    _S147 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_2, first_1);
+                    _S147 = (Crossing_is_before_0(crossing_2, found_0)) == is_first_0;
                 }
-                if(is_crossed_0)
+                if(_S147)
                 {
-                    first_1 = crossing_2;
+                    found_0 = crossing_2;
                 }
                 break;
             }
@@ -2077,6 +2050,14 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         }
         break;
     }
+    return found_0;
+}
+
+fn leave_box_0( origin_8 : vec3<f32>,  speed_5 : vec3<f32>,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  nearest_0 : vec3<i32>) -> vec3<i32>
+{
+    var is_crossed_0 : bool;
+    var plane_1 : i32;
+    var _S149 : Crossing_0 = crossing_among_0(origin_8, speed_5, exit_0, true);
     var arrival_0 : vec3<i32> = voxel_4;
     for(;;)
     {
@@ -2084,20 +2065,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S149)
+                if((speed_5[u32(0)]) == 0.0f)
                 {
                     break;
                 }
-                var _S158 : bool = u32(0) == (first_1.axis_0);
-                if(_S158)
+                var _S150 : bool = u32(0) == (_S149.axis_0);
+                if(_S150)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(0), nearest_0[u32(0)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_8[u32(0)], speed_5[u32(0)], u32(0), nearest_0[u32(0)]), _S149);
                 }
-                if(_S158)
+                if(_S150)
                 {
                     plane_1 = exit_0[u32(0)];
                 }
@@ -2105,7 +2086,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(0)];
                 }
-                arrival_0[u32(0)] = plane_1 - i32(is_crossed_0 == (_S148 < 0.0f));
+                arrival_0[u32(0)] = plane_1 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -2114,20 +2095,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S151)
+                if((speed_5[u32(1)]) == 0.0f)
                 {
                     break;
                 }
-                var _S159 : bool = u32(1) == (first_1.axis_0);
-                if(_S159)
+                var _S151 : bool = u32(1) == (_S149.axis_0);
+                if(_S151)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(1), nearest_0[u32(1)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_8[u32(1)], speed_5[u32(1)], u32(1), nearest_0[u32(1)]), _S149);
                 }
-                if(_S159)
+                if(_S151)
                 {
                     plane_1 = exit_0[u32(1)];
                 }
@@ -2135,7 +2116,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(1)];
                 }
-                arrival_0[u32(1)] = plane_1 - i32(is_crossed_0 == (_S150 < 0.0f));
+                arrival_0[u32(1)] = plane_1 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -2144,20 +2125,20 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
         {
             for(;;)
             {
-                if(_S153)
+                if((speed_5[u32(2)]) == 0.0f)
                 {
                     break;
                 }
-                var _S160 : bool = u32(2) == (first_1.axis_0);
-                if(_S160)
+                var _S152 : bool = u32(2) == (_S149.axis_0);
+                if(_S152)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_of_0(ray_3, u32(2), nearest_0[u32(2)]), first_1);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_8[u32(2)], speed_5[u32(2)], u32(2), nearest_0[u32(2)]), _S149);
                 }
-                if(_S160)
+                if(_S152)
                 {
                     plane_1 = exit_0[u32(2)];
                 }
@@ -2165,7 +2146,7 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
                 {
                     plane_1 = nearest_0[u32(2)];
                 }
-                arrival_0[u32(2)] = plane_1 - i32(is_crossed_0 == (_S152 < 0.0f));
+                arrival_0[u32(2)] = plane_1 - i32(!is_crossed_0);
                 break;
             }
             break;
@@ -2175,122 +2156,44 @@ fn leave_box_0( ray_3 : LocalRay_0,  voxel_4 : vec3<i32>,  exit_0 : vec3<i32>,  
     return arrival_0;
 }
 
-fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_5 : vec3<i32>,  face_1 : u32) -> Hit_0
+fn LocalRay_mirrored_origin_0( this_26 : LocalRay_0) -> vec3<f32>
 {
-    var _S161 : Hit_0;
-    _S161.t_0 = t_1;
-    _S161.instance_0 = instance_1;
-    _S161.voxel_0 = voxel_5;
-    _S161.face_0 = face_1;
-    return _S161;
+    return select(this_26.origin_4, (vec3<f32>(0) - this_26.origin_4), (this_26.direction_4) < vec3<f32>(0.0f));
 }
 
-fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit_0
+fn LocalRay_octant_0( this_27 : LocalRay_0) -> u32
 {
-    var _S162 : vec3<f32>;
-    var _S163 : bool;
-    var last_0 : Crossing_0;
-    var _S164 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
-    for(;;)
+    return (((u32((this_27.direction_4.x) < 0.0f) | (((u32((this_27.direction_4.y) < 0.0f) << (u32(1))))))) | (((u32((this_27.direction_4.z) < 0.0f) << (u32(2))))));
+}
+
+fn Hit_x24init_0( t_1 : f32,  instance_1 : u32,  voxel_5 : vec3<i32>,  face_1 : u32) -> Hit_0
+{
+    var _S153 : Hit_0;
+    _S153.t_0 = t_1;
+    _S153.instance_0 = instance_1;
+    _S153.voxel_0 = voxel_5;
+    _S153.face_0 = face_1;
+    return _S153;
+}
+
+fn hit_at_0( last_0 : Crossing_0,  t_min_4 : f32,  inverse_1 : vec3<f32>,  voxel_6 : vec3<i32>,  instance_2 : u32,  octant_3 : u32) -> Hit_0
+{
+    var t_2 : f32 = last_0.distance_2 * inverse_1[last_0.axis_0];
+    var _S154 : f32;
+    if(t_2 > t_min_4)
     {
-        for(;;)
-        {
-            for(;;)
-            {
-                _S162 = ray_4.direction_4;
-                if((ray_4.direction_4[u32(0)]) == 0.0f)
-                {
-                    last_0 = _S164;
-                    break;
-                }
-                var crossing_3 : Crossing_0 = crossing_of_0(ray_4, u32(0), voxel_6[u32(0)] + i32((ray_4.direction_4[u32(0)]) < 0.0f));
-                if((_S164.axis_0) == u32(3))
-                {
-                    _S163 = true;
-                }
-                else
-                {
-                    _S163 = !Crossing_is_before_0(crossing_3, _S164);
-                }
-                if(_S163)
-                {
-                    last_0 = crossing_3;
-                }
-                else
-                {
-                    last_0 = _S164;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S165 : vec3<f32> = _S162;
-                if((_S162[u32(1)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_4 : Crossing_0 = crossing_of_0(ray_4, u32(1), voxel_6[u32(1)] + i32((_S165[u32(1)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
-                {
-                    _S163 = true;
-                }
-                else
-                {
-                    _S163 = !Crossing_is_before_0(crossing_4, last_0);
-                }
-                if(_S163)
-                {
-                    last_0 = crossing_4;
-                }
-                break;
-            }
-            break;
-        }
-        for(;;)
-        {
-            for(;;)
-            {
-                var _S166 : vec3<f32> = _S162;
-                if((_S162[u32(2)]) == 0.0f)
-                {
-                    break;
-                }
-                var crossing_5 : Crossing_0 = crossing_of_0(ray_4, u32(2), voxel_6[u32(2)] + i32((_S166[u32(2)]) < 0.0f));
-                if((last_0.axis_0) == u32(3))
-                {
-                    _S163 = true;
-                }
-                else
-                {
-                    _S163 = !Crossing_is_before_0(crossing_5, last_0);
-                }
-                if(_S163)
-                {
-                    last_0 = crossing_5;
-                }
-                break;
-            }
-            break;
-        }
-        break;
-    }
-    var _S167 : Crossing_0 = last_0;
-    var is_negative_0 : bool = (_S162[last_0.axis_0]) < 0.0f;
-    var t_2 : f32 = (f32(voxel_6[last_0.axis_0] + i32(is_negative_0)) - ray_4.origin_4[last_0.axis_0]) * ray_4.inverse_0[last_0.axis_0];
-    var _S168 : f32;
-    if(t_2 > (ray_4.t_min_3))
-    {
-        _S168 = t_2;
+        _S154 = t_2;
     }
     else
     {
-        _S168 = ray_4.t_min_3;
+        _S154 = t_min_4;
     }
-    return Hit_x24init_0(_S168, instance_2, voxel_6, u32(2) * _S167.axis_0 + u32(is_negative_0));
+    return Hit_x24init_0(_S154, instance_2, voxel_6, u32(2) * last_0.axis_0 + ((((octant_3 >> ((last_0.axis_0)))) & (u32(1)))));
+}
+
+fn hit_of_0( ray_2 : LocalRay_0,  voxel_7 : vec3<i32>,  instance_3 : u32) -> Hit_0
+{
+    return hit_at_0(crossing_among_0(LocalRay_mirrored_origin_0(ray_2), abs(ray_2.direction_4), select(voxel_7, ~voxel_7, (ray_2.direction_4) < vec3<f32>(0.0f)), false), ray_2.t_min_3, abs(ray_2.inverse_0), voxel_7, instance_3, LocalRay_octant_0(ray_2));
 }
 
 @compute
@@ -2298,34 +2201,39 @@ fn hit_of_0( ray_4 : LocalRay_0,  voxel_6 : vec3<i32>,  instance_2 : u32) -> Hit
 fn check_exact(@builtin(global_invocation_id) id_7 : vec3<u32>, @builtin(local_invocation_index) thread_8 : u32)
 {
     prove_0(thread_8);
-    var _S169 : u32 = id_7.x;
-    if(_S169 >= (dispatch_0.count_0))
+    var _S155 : u32 = id_7.x;
+    if(_S155 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S169);
-    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S169);
-    var _S170 : Ray_0 = Reader_ray_0(&(reader_7));
-    var local_2 : LocalRay_0 = local_ray_0(_S170, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
-    var voxel_7 : vec3<i32> = Reader_cell_0(&(reader_7));
+    var reader_7 : Reader_0 = Reader_x24init_0(u32(17) * _S155);
+    var writer_7 : Writer_0 = Writer_x24init_0(u32(8) * _S155);
+    var _S156 : Ray_0 = Reader_ray_0(&(reader_7));
+    var local_2 : LocalRay_0 = local_ray_0(_S156, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0);
+    var voxel_8 : vec3<i32> = Reader_cell_0(&(reader_7));
     var exit_1 : vec3<i32> = Reader_cell_0(&(reader_7));
     Writer_cell_0(&(writer_7), exact_start_voxel_0(local_2));
-    var _S171 : vec3<i32> = Reader_cell_0(&(reader_7));
-    var arrival_1 : vec3<i32> = leave_box_0(local_2, voxel_7, exit_1, _S171);
-    Writer_cell_0(&(writer_7), select(max(arrival_1, voxel_7), min(arrival_1, voxel_7), (local_2.direction_4) < vec3<f32>(0.0f)));
-    var hit_1 : Hit_0 = hit_of_0(local_2, voxel_7, u32(0));
+    var _S157 : vec3<bool> = (local_2.direction_4) < vec3<f32>(0.0f);
+    var mirror_0 : vec3<i32> = select(vec3<i32>(i32(0)), vec3<i32>(i32(-1)), _S157);
+    var origin_9 : vec3<f32> = select(local_2.origin_4, (vec3<f32>(0) - local_2.origin_4), _S157);
+    var _S158 : vec3<f32> = abs(local_2.direction_4);
+    var _S159 : vec3<i32> = (voxel_8 ^ (mirror_0));
+    var _S160 : vec3<i32> = ((exit_1 ^ (mirror_0))) - mirror_0;
+    var _S161 : vec3<i32> = Reader_cell_0(&(reader_7));
+    Writer_cell_0(&(writer_7), ((max(leave_box_0(origin_9, _S158, _S159, _S160, ((_S161 ^ (mirror_0))) - mirror_0), _S159)) ^ (mirror_0)));
+    var hit_1 : Hit_0 = hit_of_0(local_2, voxel_8, u32(0));
     Writer_number_0(&(writer_7), hit_1.t_0);
     Writer_word_0(&(writer_7), hit_1.face_0);
     return;
 }
 
-fn Reader_hit_0( this_26 : ptr<function, Reader_0>) -> Hit_0
+fn Reader_hit_0( this_28 : ptr<function, Reader_0>) -> Hit_0
 {
-    var t_3 : f32 = Reader_number_1(&((*this_26)));
-    var instance_3 : u32 = Reader_word_1(&((*this_26)));
-    var voxel_8 : vec3<i32> = Reader_cell_1(&((*this_26)));
-    var _S172 : u32 = Reader_word_1(&((*this_26)));
-    return Hit_x24init_0(t_3, instance_3, voxel_8, _S172);
+    var t_3 : f32 = Reader_number_1(&((*this_28)));
+    var instance_4 : u32 = Reader_word_1(&((*this_28)));
+    var voxel_9 : vec3<i32> = Reader_cell_1(&((*this_28)));
+    var _S162 : u32 = Reader_word_1(&((*this_28)));
+    return Hit_x24init_0(t_3, instance_4, voxel_9, _S162);
 }
 
 @id(7) override HAS_CUTS_0 : bool = false;
@@ -2338,16 +2246,16 @@ fn is_cut_0( hit_2 : Hit_0) -> bool
 fn cut_normal_0( face_2 : u32) -> vec3<f32>
 {
     var normal_1 : vec3<f32> = params_0.planes_0[((face_2 - u32(6)) >> (u32(1)))].xyz;
-    var _S173 : vec3<f32>;
+    var _S163 : vec3<f32>;
     if(((face_2 & (u32(1)))) == u32(1))
     {
-        _S173 = (vec3<f32>(0) - normal_1);
+        _S163 = (vec3<f32>(0) - normal_1);
     }
     else
     {
-        _S173 = normal_1;
+        _S163 = normal_1;
     }
-    return _S173;
+    return _S163;
 }
 
 fn cut_margin_0( face_3 : u32) -> f32
@@ -2357,16 +2265,16 @@ fn cut_margin_0( face_3 : u32) -> f32
 
 fn leaves_cut_0( hit_3 : Hit_0) -> bool
 {
-    var _S174 : bool;
+    var _S164 : bool;
     if(is_cut_0(hit_3))
     {
-        _S174 = (((hit_3.face_0) & (u32(1)))) == u32(1);
+        _S164 = (((hit_3.face_0) & (u32(1)))) == u32(1);
     }
     else
     {
-        _S174 = false;
+        _S164 = false;
     }
-    return _S174;
+    return _S164;
 }
 
 fn margin_of_0( translation_1 : vec3<f32>,  low_9 : vec3<f32>) -> f32
@@ -2382,41 +2290,41 @@ fn clamp_to_voxel_0( translation_2 : vec3<f32>,  low_10 : vec3<f32>,  point_2 : 
 
 fn in_voxel_0( hit_4 : Hit_0,  point_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S175 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_0);
-    return Transform_point_0(_S175.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S175.grid_from_world_0.translation_0), vec3<f32>(hit_4.voxel_0), Transform_point_0(_S175.grid_from_world_0, point_3)));
+    var _S165 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_0);
+    return Transform_point_0(_S165.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S165.grid_from_world_0.translation_0), vec3<f32>(hit_4.voxel_0), Transform_point_0(_S165.grid_from_world_0, point_3)));
 }
 
-fn before_cut_0( ray_5 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
+fn before_cut_0( ray_3 : Ray_0,  hit_5 : Hit_0,  normal_2 : vec3<f32>) -> vec3<f32>
 {
-    var point_4 : vec3<f32> = ray_5.origin_1 + ray_5.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
-    var _S176 : vec3<f32>;
+    var point_4 : vec3<f32> = ray_3.origin_1 + ray_3.direction_1 * vec3<f32>(hit_5.t_0) + normal_2 * vec3<f32>(cut_margin_0(hit_5.face_0));
+    var _S166 : vec3<f32>;
     if(leaves_cut_0(hit_5))
     {
-        _S176 = in_voxel_0(hit_5, point_4);
+        _S166 = in_voxel_0(hit_5, point_4);
     }
     else
     {
-        _S176 = point_4;
+        _S166 = point_4;
     }
-    return _S176;
+    return _S166;
 }
 
 fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 : u32,  point_5 : vec3<f32>) -> vec3<f32>
 {
     var margin_1 : f32 = margin_of_0(translation_3, low_11);
-    var _S177 : vec3<f32> = vec3<f32>(margin_1);
-    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S177), low_11 + vec3<f32>((1.0f - margin_1)));
-    var _S178 : bool = face_4 < u32(2);
-    var _S179 : bool;
+    var _S167 : vec3<f32> = vec3<f32>(margin_1);
+    var moved_0 : vec3<f32> = min(max(point_5, low_11 + _S167), low_11 + vec3<f32>((1.0f - margin_1)));
+    var _S168 : bool = face_4 < u32(2);
+    var _S169 : bool;
     if(face_4 >= u32(2))
     {
-        _S179 = face_4 < u32(4);
+        _S169 = face_4 < u32(4);
     }
     else
     {
-        _S179 = false;
+        _S169 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S178, _S179, face_4 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S168, _S169, face_4 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_4 & (u32(1)))) == u32(1))
     {
@@ -2424,7 +2332,7 @@ fn offset_ray_origin_0( translation_3 : vec3<f32>,  low_11 : vec3<f32>,  face_4 
     }
     else
     {
-        outside_0 = low_11 - _S177;
+        outside_0 = low_11 - _S167;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2440,32 +2348,32 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = -1.0f;
     }
-    var _S180 : f32;
+    var _S170 : f32;
     if(face_5 < u32(2))
     {
-        _S180 = away_0;
+        _S170 = away_0;
     }
     else
     {
-        _S180 = 0.0f;
+        _S170 = 0.0f;
     }
-    var _S181 : bool;
+    var _S171 : bool;
     if(face_5 >= u32(2))
     {
-        _S181 = face_5 < u32(4);
+        _S171 = face_5 < u32(4);
     }
     else
     {
-        _S181 = false;
+        _S171 = false;
     }
-    var _S182 : f32;
-    if(_S181)
+    var _S172 : f32;
+    if(_S171)
     {
-        _S182 = away_0;
+        _S172 = away_0;
     }
     else
     {
-        _S182 = 0.0f;
+        _S172 = 0.0f;
     }
     if(face_5 >= u32(4))
     {
@@ -2474,57 +2382,57 @@ fn face_normal_0( face_5 : u32) -> vec3<f32>
     {
         away_0 = 0.0f;
     }
-    return vec3<f32>(_S180, _S182, away_0);
+    return vec3<f32>(_S170, _S172, away_0);
 }
 
-fn world_normal_0( instance_4 : PackedInstance_0,  face_6 : u32) -> vec3<f32>
+fn world_normal_0( instance_5 : PackedInstance_0,  face_6 : u32) -> vec3<f32>
 {
-    return normalize_vector_0(Transform_direction_0(instance_4.world_from_grid_0, face_normal_0(face_6)));
+    return normalize_vector_0(Transform_direction_0(instance_5.world_from_grid_0, face_normal_0(face_6)));
 }
 
 struct Surface_0
 {
-     origin_6 : vec3<f32>,
+     origin_10 : vec3<f32>,
      normal_3 : vec3<f32>,
      face_7 : u32,
-     instance_5 : u32,
+     instance_6 : u32,
 };
 
-fn surface_of_0( ray_6 : Ray_0,  hit_6 : Hit_0) -> Surface_0
+fn surface_of_0( ray_4 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S183 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
-    var _S184 : bool;
+    var _S173 : vec3<f32> = vec3<f32>(hit_6.voxel_0);
+    var _S174 : bool;
     if(HAS_CUTS_0)
     {
-        _S184 = is_cut_0(hit_6);
+        _S174 = is_cut_0(hit_6);
     }
     else
     {
-        _S184 = false;
+        _S174 = false;
     }
-    if(_S184)
+    if(_S174)
     {
-        var _S185 : vec3<f32> = cut_normal_0(hit_6.face_0);
-        surface_0.normal_3 = _S185;
-        surface_0.origin_6 = before_cut_0(ray_6, hit_6, _S185);
+        var _S175 : vec3<f32> = cut_normal_0(hit_6.face_0);
+        surface_0.normal_3 = _S175;
+        surface_0.origin_10 = before_cut_0(ray_4, hit_6, _S175);
     }
     else
     {
         if(IS_SINGLE_0)
         {
-            surface_0.origin_6 = offset_ray_origin_0(vec3<f32>(0.0f), _S183, hit_6.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_6.t_0));
+            surface_0.origin_10 = offset_ray_origin_0(vec3<f32>(0.0f), _S173, hit_6.face_0, ray_4.origin_1 + ray_4.direction_1 * vec3<f32>(hit_6.t_0));
             surface_0.normal_3 = face_normal_0(hit_6.face_0);
         }
         else
         {
-            var _S186 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_6.instance_0);
-            surface_0.origin_6 = Transform_point_0(_S186.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S186.grid_from_world_0.translation_0), _S183, hit_6.face_0, Transform_point_0(_S186.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S186.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_6.t_0)));
-            surface_0.normal_3 = world_normal_0(_S186, hit_6.face_0);
+            var _S176 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_6.instance_0);
+            surface_0.origin_10 = Transform_point_0(_S176.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S176.grid_from_world_0.translation_0), _S173, hit_6.face_0, Transform_point_0(_S176.grid_from_world_0, ray_4.origin_1) + Transform_direction_0(_S176.grid_from_world_0, ray_4.direction_1) * vec3<f32>(hit_6.t_0)));
+            surface_0.normal_3 = world_normal_0(_S176, hit_6.face_0);
         }
     }
     surface_0.face_7 = hit_6.face_0;
-    surface_0.instance_5 = hit_6.instance_0;
+    surface_0.instance_6 = hit_6.instance_0;
     return surface_0;
 }
 
@@ -2532,9 +2440,30 @@ fn surface_of_0( ray_6 : Ray_0,  hit_6 : Hit_0) -> Surface_0
 
 fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : ptr<function, vec3<f32>>)
 {
-    var _S187 : f32 = z_0.z;
+    var _S177 : f32 = z_0.z;
+    var sign_0 : f32;
+    if(_S177 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S177);
+    var _S178 : f32 = z_0.x;
+    var _S179 : f32 = z_0.y;
+    var b_5 : f32 = _S178 * _S179 * a_6;
+    (*x_7) = vec3<f32>(1.0f + sign_0 * _S178 * _S178 * a_6, sign_0 * b_5, - sign_0 * _S178);
+    (*y_4) = vec3<f32>(b_5, sign_0 + _S179 * _S179 * a_6, - _S179);
+    return;
+}
+
+fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
+{
+    var _S180 : f32 = z_1.z;
     var sign_1 : f32;
-    if(_S187 < 0.0f)
+    if(_S180 < 0.0f)
     {
         sign_1 = -1.0f;
     }
@@ -2542,64 +2471,43 @@ fn orthonormal_pair_0( z_0 : vec3<f32>,  x_7 : ptr<function, vec3<f32>>,  y_4 : 
     {
         sign_1 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_1 + _S187);
-    var _S188 : f32 = z_0.x;
-    var _S189 : f32 = z_0.y;
-    var b_5 : f32 = _S188 * _S189 * a_6;
-    (*x_7) = vec3<f32>(1.0f + sign_1 * _S188 * _S188 * a_6, sign_1 * b_5, - sign_1 * _S188);
-    (*y_4) = vec3<f32>(b_5, sign_1 + _S189 * _S189 * a_6, - _S189);
+    var a_7 : f32 = divide_0(-1.0f, sign_1 + _S180);
+    var _S181 : f32 = z_1.x;
+    var _S182 : f32 = z_1.y;
+    var b_6 : f32 = _S181 * _S182 * a_7;
+    (*x_8) = vec3<f32>(1.0f + sign_1 * _S181 * _S181 * a_7, sign_1 * b_6, - sign_1 * _S181);
+    (*y_5) = vec3<f32>(b_6, sign_1 + _S182 * _S182 * a_7, - _S182);
     return;
 }
 
-fn orthonormal_pair_1( z_1 : vec3<f32>,  x_8 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
+fn Surface_world_direction_0( this_29 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S190 : f32 = z_1.z;
-    var sign_2 : f32;
-    if(_S190 < 0.0f)
-    {
-        sign_2 = -1.0f;
-    }
-    else
-    {
-        sign_2 = 1.0f;
-    }
-    var a_7 : f32 = divide_0(-1.0f, sign_2 + _S190);
-    var _S191 : f32 = z_1.x;
-    var _S192 : f32 = z_1.y;
-    var b_6 : f32 = _S191 * _S192 * a_7;
-    (*x_8) = vec3<f32>(1.0f + sign_2 * _S191 * _S191 * a_7, sign_2 * b_6, - sign_2 * _S191);
-    (*y_5) = vec3<f32>(b_6, sign_2 + _S192 * _S192 * a_7, - _S192);
-    return;
-}
-
-fn Surface_world_direction_0( this_27 : Surface_0,  local_3 : vec3<f32>) -> vec3<f32>
-{
-    var _S193 : bool;
+    var _S183 : bool;
     if(HAS_CUTS_0)
     {
-        _S193 = true;
+        _S183 = true;
     }
     else
     {
-        _S193 = HAS_NORMALS_0;
+        _S183 = HAS_NORMALS_0;
     }
-    if(_S193)
+    if(_S183)
     {
-        _S193 = (this_27.face_7) >= u32(6);
+        _S183 = (this_29.face_7) >= u32(6);
     }
     else
     {
-        _S193 = false;
+        _S183 = false;
     }
-    if(_S193)
+    if(_S183)
     {
         var x_9 : vec3<f32>;
         var y_6 : vec3<f32>;
-        orthonormal_pair_0(this_27.normal_3, &(x_9), &(y_6));
-        return normalize_vector_0(x_9 * vec3<f32>(local_3.x) + y_6 * vec3<f32>(local_3.y) + this_27.normal_3 * vec3<f32>(local_3.z));
+        orthonormal_pair_0(this_29.normal_3, &(x_9), &(y_6));
+        return normalize_vector_0(x_9 * vec3<f32>(local_3.x) + y_6 * vec3<f32>(local_3.y) + this_29.normal_3 * vec3<f32>(local_3.z));
     }
     var away_1 : f32;
-    if((((this_27.face_7) & (u32(1)))) == u32(1))
+    if((((this_29.face_7) & (u32(1)))) == u32(1))
     {
         away_1 = local_3.z;
     }
@@ -2607,63 +2515,63 @@ fn Surface_world_direction_0( this_27 : Surface_0,  local_3 : vec3<f32>) -> vec3
     {
         away_1 = - local_3.z;
     }
-    var _S194 : f32 = local_3.x;
-    var _S195 : f32 = local_3.y;
-    var _S196 : vec3<f32> = vec3<f32>(_S194, _S195, away_1);
+    var _S184 : f32 = local_3.x;
+    var _S185 : f32 = local_3.y;
+    var _S186 : vec3<f32> = vec3<f32>(_S184, _S185, away_1);
     var in_grid_0 : vec3<f32>;
-    if((this_27.face_7) < u32(2))
+    if((this_29.face_7) < u32(2))
     {
-        in_grid_0 = vec3<f32>(away_1, _S194, _S195);
+        in_grid_0 = vec3<f32>(away_1, _S184, _S185);
     }
     else
     {
-        if((this_27.face_7) < u32(4))
+        if((this_29.face_7) < u32(4))
         {
-            in_grid_0 = vec3<f32>(_S195, away_1, _S194);
+            in_grid_0 = vec3<f32>(_S185, away_1, _S184);
         }
         else
         {
-            in_grid_0 = _S196;
+            in_grid_0 = _S186;
         }
     }
     if(!IS_SINGLE_0)
     {
-        in_grid_0 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_27.instance_5).world_from_grid_0, in_grid_0);
+        in_grid_0 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_29.instance_6).world_from_grid_0, in_grid_0);
     }
     return normalize_vector_0(in_grid_0);
 }
 
-fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
+fn Surface_local_direction_0( this_30 : Surface_0,  world_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S197 : bool;
+    var _S187 : bool;
     if(HAS_CUTS_0)
     {
-        _S197 = true;
+        _S187 = true;
     }
     else
     {
-        _S197 = HAS_NORMALS_0;
+        _S187 = HAS_NORMALS_0;
     }
-    if(_S197)
+    if(_S187)
     {
-        _S197 = (this_28.face_7) >= u32(6);
+        _S187 = (this_30.face_7) >= u32(6);
     }
     else
     {
-        _S197 = false;
+        _S187 = false;
     }
-    if(_S197)
+    if(_S187)
     {
         var x_10 : vec3<f32>;
         var y_7 : vec3<f32>;
-        orthonormal_pair_0(this_28.normal_3, &(x_10), &(y_7));
+        orthonormal_pair_0(this_30.normal_3, &(x_10), &(y_7));
         var unit_1 : vec3<f32> = normalize_vector_0(world_0);
-        return vec3<f32>(dot_product_0(x_10, unit_1), dot_product_0(y_7, unit_1), dot_product_0(this_28.normal_3, unit_1));
+        return vec3<f32>(dot_product_0(x_10, unit_1), dot_product_0(y_7, unit_1), dot_product_0(this_30.normal_3, unit_1));
     }
     var in_grid_1 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_28.instance_5).grid_from_world_0, world_0);
+        in_grid_1 = Transform_direction_0(Instances_operatorx5Bx5D_get_0(this_30.instance_6).grid_from_world_0, world_0);
     }
     else
     {
@@ -2671,13 +2579,13 @@ fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3
     }
     var in_grid_2 : vec3<f32> = normalize_vector_0(in_grid_1);
     var local_4 : vec3<f32>;
-    if((this_28.face_7) < u32(2))
+    if((this_30.face_7) < u32(2))
     {
         local_4 = in_grid_2.yzx;
     }
     else
     {
-        if((this_28.face_7) < u32(4))
+        if((this_30.face_7) < u32(4))
         {
             local_4 = in_grid_2.zxy;
         }
@@ -2686,7 +2594,7 @@ fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3
             local_4 = in_grid_2;
         }
     }
-    if((((this_28.face_7) & (u32(1)))) == u32(1))
+    if((((this_30.face_7) & (u32(1)))) == u32(1))
     {
         in_grid_1 = local_4;
     }
@@ -2702,17 +2610,17 @@ fn Surface_local_direction_0( this_28 : Surface_0,  world_0 : vec3<f32>) -> vec3
 fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local_invocation_index) thread_9 : u32)
 {
     prove_0(thread_9);
-    var _S198 : u32 = id_8.x;
-    if(_S198 >= (dispatch_0.count_0))
+    var _S188 : u32 = id_8.x;
+    if(_S188 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S198);
-    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S198);
-    var ray_7 : Ray_0 = Reader_ray_0(&(reader_8));
-    var _S199 : Hit_0 = Reader_hit_0(&(reader_8));
-    var surface_1 : Surface_0 = surface_of_0(ray_7, _S199);
-    Writer_vector_0(&(writer_8), surface_1.origin_6);
+    var reader_8 : Reader_0 = Reader_x24init_0(u32(17) * _S188);
+    var writer_8 : Writer_0 = Writer_x24init_0(u32(12) * _S188);
+    var ray_5 : Ray_0 = Reader_ray_0(&(reader_8));
+    var _S189 : Hit_0 = Reader_hit_0(&(reader_8));
+    var surface_1 : Surface_0 = surface_of_0(ray_5, _S189);
+    Writer_vector_0(&(writer_8), surface_1.origin_10);
     Writer_vector_0(&(writer_8), surface_1.normal_3);
     var direction_6 : vec3<f32> = Reader_vector_0(&(reader_8));
     Writer_vector_0(&(writer_8), Surface_world_direction_0(surface_1, direction_6));
@@ -2722,10 +2630,10 @@ fn check_surface(@builtin(global_invocation_id) id_8 : vec3<u32>, @builtin(local
 
 fn Receiver_x24init_0( point_6 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S200 : Receiver_0;
-    _S200.point_0 = point_6;
-    _S200.normal_0 = normal_4;
-    return _S200;
+    var _S190 : Receiver_0;
+    _S190.point_0 = point_6;
+    _S190.normal_0 = normal_4;
+    return _S190;
 }
 
 fn has_sun_0() -> bool
@@ -2778,16 +2686,16 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S201 : bool;
+    var _S191 : bool;
     if(SKY_0 == u32(1))
     {
-        _S201 = (params_0.sky_irradiance_0) > 0.0f;
+        _S191 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S201 = false;
+        _S191 = false;
     }
-    return _S201;
+    return _S191;
 }
 
 struct Selection_0
@@ -2799,11 +2707,11 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S202 : Selection_0;
-    _S202.sun_0 = sun_1;
-    _S202.sky_1 = sky_2;
-    _S202.emitters_0 = emitters_1;
-    return _S202;
+    var _S192 : Selection_0;
+    _S192.sun_0 = sun_1;
+    _S192.sky_1 = sky_2;
+    _S192.emitters_0 = emitters_1;
+    return _S192;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -2834,8 +2742,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S203 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S203, sky_3, (1.0f - sun_2) * _S203);
+    var _S193 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S193, sky_3, (1.0f - sun_2) * _S193);
 }
 
 fn miss_0() -> Hit_0
@@ -2845,12 +2753,12 @@ fn miss_0() -> Hit_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S204 : Aim_0;
-    _S204.is_met_0 = is_met_1;
-    _S204.direction_0 = direction_7;
-    _S204.hit_0 = hit_7;
-    _S204.luminance_0 = luminance_2;
-    return _S204;
+    var _S194 : Aim_0;
+    _S194.is_met_0 = is_met_1;
+    _S194.direction_0 = direction_7;
+    _S194.hit_0 = hit_7;
+    _S194.luminance_0 = luminance_2;
+    return _S194;
 }
 
 fn by_chance_0() -> Aim_0
@@ -2858,27 +2766,27 @@ fn by_chance_0() -> Aim_0
     return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
 }
 
-fn ray_from_0( origin_7 : vec3<f32>,  direction_8 : vec3<f32>) -> Ray_0
+fn ray_from_0( origin_11 : vec3<f32>,  direction_8 : vec3<f32>) -> Ray_0
 {
-    return Ray_x24init_0(origin_7, 0.0f, direction_8, (bitcast<f32>(infinity_bits_0)));
+    return Ray_x24init_0(origin_11, 0.0f, direction_8, (bitcast<f32>(infinity_bits_0)));
 }
 
 struct LightSample_0
 {
-     ray_8 : Ray_0,
+     ray_6 : Ray_0,
      cos_theta_4 : f32,
      radiance_3 : vec3<f32>,
      pdf_1 : f32,
 };
 
-fn LightSample_x24init_0( ray_9 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S205 : LightSample_0;
-    _S205.ray_8 = ray_9;
-    _S205.cos_theta_4 = cos_theta_5;
-    _S205.radiance_3 = radiance_4;
-    _S205.pdf_1 = pdf_2;
-    return _S205;
+    var _S195 : LightSample_0;
+    _S195.ray_6 = ray_7;
+    _S195.cos_theta_4 = cos_theta_5;
+    _S195.radiance_3 = radiance_4;
+    _S195.pdf_1 = pdf_2;
+    return _S195;
 }
 
 fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
@@ -2894,8 +2802,8 @@ fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<
 
 fn no_light_0() -> LightSample_0
 {
-    var _S206 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S206, 0.0f, _S206, 0.0f), 0.0f, _S206, 0.0f);
+    var _S196 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S196, 0.0f, _S196, 0.0f), 0.0f, _S196, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2907,36 +2815,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_11 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S207 : ChosenDirection_0;
-    _S207.direction_10 = direction_11;
-    _S207.radiance_5 = radiance_6;
-    _S207.pdf_3 = pdf_4;
-    return _S207;
+    var _S197 : ChosenDirection_0;
+    _S197.direction_10 = direction_11;
+    _S197.radiance_5 = radiance_6;
+    _S197.pdf_3 = pdf_4;
+    return _S197;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S208 : f32 = abs(u_3);
-    var _S209 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S208 + _S209);
+    var _S198 : f32 = abs(u_3);
+    var _S199 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S198 + _S199);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S209 - _S208, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S199 - _S198, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S210 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S210);
+    var _S200 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S200);
     var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S210;
+    var z_2 : f32 = 1.0f - _S200;
     if(u_3 < 0.0f)
     {
         turns_1 = - x_11;
@@ -2945,34 +2853,34 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_1 = x_11;
     }
-    var _S211 : f32;
+    var _S201 : f32;
     if(v_5 < 0.0f)
     {
-        _S211 = - y_8;
+        _S201 = - y_8;
     }
     else
     {
-        _S211 = y_8;
+        _S201 = y_8;
     }
-    var _S212 : f32;
+    var _S202 : f32;
     if(height_1 < 0.0f)
     {
-        _S212 = - z_2;
+        _S202 = - z_2;
     }
     else
     {
-        _S212 = z_2;
+        _S202 = z_2;
     }
-    return vec3<f32>(turns_1, _S211, _S212);
+    return vec3<f32>(turns_1, _S201, _S202);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S213 : f32 = d_1.x;
-    var _S214 : f32 = d_1.y;
-    return vec3<f32>(_S213 * cos_2 + _S214 * sin_1, _S214 * cos_2 - _S213 * sin_1, d_1.z);
+    var _S203 : f32 = d_1.x;
+    var _S204 : f32 = d_1.y;
+    return vec3<f32>(_S203 * cos_2 + _S204 * sin_1, _S204 * cos_2 - _S203 * sin_1, d_1.z);
 }
 
 fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
@@ -2987,42 +2895,42 @@ fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
     {
         is_beside_0 = x_12 > last_1;
     }
-    var _S215 : i32;
+    var _S205 : i32;
     if(is_beside_0)
     {
-        _S215 = last_1 - y_9;
+        _S205 = last_1 - y_9;
     }
     else
     {
-        _S215 = y_9;
+        _S205 = y_9;
     }
-    var _S216 : i32;
+    var _S206 : i32;
     if(is_beside_0)
     {
-        _S216 = clamp(x_12, i32(0), last_1);
+        _S206 = clamp(x_12, i32(0), last_1);
     }
     else
     {
-        _S216 = x_12;
+        _S206 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S215 < i32(0))
+    if(_S205 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S215 > last_1;
+        is_beyond_0 = _S205 > last_1;
     }
     if(is_beyond_0)
     {
-        _S216 = last_1 - _S216;
+        _S206 = last_1 - _S206;
     }
     if(is_beyond_0)
     {
-        _S215 = clamp(_S215, i32(0), last_1);
+        _S205 = clamp(_S205, i32(0), last_1);
     }
-    return u32(_S215 * i32(params_0.sky_edge_0) + _S216);
+    return u32(_S205 * i32(params_0.sky_edge_0) + _S206);
 }
 
 fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
@@ -3032,29 +2940,29 @@ fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S217 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S217);
-    var beyond_0 : vec2<f32> = _S217 - corner_1;
+    var _S207 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S207);
+    var beyond_0 : vec2<f32> = _S207 - corner_1;
     var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S218 : f32 = beyond_0.x;
-    var _S219 : vec3<f32> = vec3<f32>((1.0f - _S218));
-    var _S220 : i32 = x_14 + i32(1);
-    var _S221 : vec3<f32> = vec3<f32>(_S218);
-    var _S222 : i32 = y_11 + i32(1);
-    var _S223 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_14, y_11) * _S219 + Environment_texel_radiance_0(_S220, y_11) * _S221) * vec3<f32>((1.0f - _S223)) + (Environment_texel_radiance_0(x_14, _S222) * _S219 + Environment_texel_radiance_0(_S220, _S222) * _S221) * vec3<f32>(_S223);
+    var _S208 : f32 = beyond_0.x;
+    var _S209 : vec3<f32> = vec3<f32>((1.0f - _S208));
+    var _S210 : i32 = x_14 + i32(1);
+    var _S211 : vec3<f32> = vec3<f32>(_S208);
+    var _S212 : i32 = y_11 + i32(1);
+    var _S213 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S209 + Environment_texel_radiance_0(_S210, y_11) * _S211) * vec3<f32>((1.0f - _S213)) + (Environment_texel_radiance_0(x_14, _S212) * _S209 + Environment_texel_radiance_0(_S210, _S212) * _S211) * vec3<f32>(_S213);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S224 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S224, _S224, 0.0f);
+    var _S214 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S214, _S214, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S225 : f32 = u_4.x * edge_0;
-    var _S226 : f32 = edge_0 - 1.0f;
-    var _S227 : f32 = min(floor(_S225), _S226);
-    var own_0 : u32 = u32(_S227) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S226));
+    var _S215 : f32 = u_4.x * edge_0;
+    var _S216 : f32 = edge_0 - 1.0f;
+    var _S217 : f32 = min(floor(_S215), _S216);
+    var own_0 : u32 = u32(_S217) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S216));
     var index_17 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
@@ -3069,10 +2977,10 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S228 : u32 = index_17 % params_0.sky_edge_0;
-    var _S229 : f32 = f32(_S228);
-    var _S230 : u32 = index_17 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S229, f32(_S230)) + vec2<f32>(min(_S225 - _S227, 1.0f), u_4.w);
+    var _S218 : u32 = index_17 % params_0.sky_edge_0;
+    var _S219 : f32 = f32(_S218);
+    var _S220 : u32 = index_17 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S219, f32(_S220)) + vec2<f32>(min(_S215 - _S217, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
@@ -3081,17 +2989,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S231 : bool;
+    var _S221 : bool;
     if(SKY_0 != u32(1))
     {
-        _S231 = true;
+        _S221 = true;
     }
     else
     {
-        var _S232 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S231 = !_S232;
+        var _S222 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S221 = !_S222;
     }
-    if(_S231)
+    if(_S221)
     {
         return false;
     }
@@ -3102,15 +3010,15 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<fun
 
 fn Descent_x24init_0( node_8 : u32,  index_18 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S233 : Descent_0;
-    _S233.node_0 = node_8;
-    _S233.index_0 = index_18;
-    _S233.count_1 = count_4;
-    _S233.weight_0 = weight_2;
-    _S233.total_0 = total_3;
-    _S233.choice_0 = choice_1;
-    _S233.is_far_0 = is_far_4;
-    return _S233;
+    var _S223 : Descent_0;
+    _S223.node_0 = node_8;
+    _S223.index_0 = index_18;
+    _S223.count_1 = count_4;
+    _S223.weight_0 = weight_2;
+    _S223.total_0 = total_3;
+    _S223.choice_0 = choice_1;
+    _S223.is_far_0 = is_far_4;
+    return _S223;
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
@@ -3119,7 +3027,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
     var at_6 : u32 = start_2;
     for(;;)
     {
-        var _S234 : LightNode_0 = node_9;
+        var _S224 : LightNode_0 = node_9;
         if((node_9.parent_0) != u32(4294967295))
         {
         }
@@ -3127,90 +3035,90 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S234.parent_0);
-        var _S235 : u32 = _S234.parent_0 + u32(1);
-        var is_left_2 : bool = at_6 == _S235;
-        var _S236 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S224.parent_0);
+        var _S225 : u32 = _S224.parent_0 + u32(1);
+        var is_left_2 : bool = at_6 == _S225;
+        var _S226 : u32;
         if(is_left_2)
         {
-            _S236 = parent_1.index_1;
+            _S226 = parent_1.index_1;
         }
         else
         {
-            _S236 = _S235;
+            _S226 = _S225;
         }
-        var _S237 : View_0 = view_0(node_9, receiver_11);
-        var _S238 : View_0 = view_0(top_light_node_0(_S236), receiver_11);
-        var _S239 : f32;
+        var _S227 : View_0 = view_0(node_9, receiver_11);
+        var _S228 : View_0 = view_0(top_light_node_0(_S226), receiver_11);
+        var _S229 : f32;
         if(is_left_2)
         {
-            _S239 = _S237.importance_0;
+            _S229 = _S227.importance_0;
         }
         else
         {
-            _S239 = _S238.importance_0;
+            _S229 = _S228.importance_0;
         }
-        var _S240 : f32;
+        var _S230 : f32;
         if(is_left_2)
         {
-            _S240 = _S238.importance_0;
+            _S230 = _S228.importance_0;
         }
         else
         {
-            _S240 = _S237.importance_0;
+            _S230 = _S227.importance_0;
         }
-        var weights_2 : vec2<f32> = weights_of_0(_S239, _S240);
-        var _S241 : f32 = weights_2.x;
-        var _S242 : f32 = weights_2.y;
-        var total_4 : f32 = _S241 + _S242;
+        var weights_2 : vec2<f32> = weights_of_0(_S229, _S230);
+        var _S231 : f32 = weights_2.x;
+        var _S232 : f32 = weights_2.y;
+        var total_4 : f32 = _S231 + _S232;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S243 : f32;
+        var _S233 : f32;
         if(is_left_2)
         {
-            _S243 = _S241;
+            _S233 = _S231;
         }
         else
         {
-            _S243 = _S242;
+            _S233 = _S232;
         }
-        (*descent_2).weight_0 = (*descent_2).weight_0 * _S243;
+        (*descent_2).weight_0 = (*descent_2).weight_0 * _S233;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
         node_9 = parent_1;
-        at_6 = _S234.parent_0;
+        at_6 = _S224.parent_0;
     }
     return ((*descent_2).weight_0) > 0.0f;
 }
 
-fn in_grid_3( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_7 : u32,  receiver_12 : Receiver_0) -> Receiver_0
 {
-    var _S244 : bool;
+    var _S234 : bool;
     if(IS_SINGLE_0)
     {
         if(HAS_CUTS_0)
         {
-            _S244 = true;
+            _S234 = true;
         }
         else
         {
-            _S244 = HAS_NORMALS_0;
+            _S234 = HAS_NORMALS_0;
         }
     }
     else
     {
-        _S244 = false;
+        _S234 = false;
     }
-    if(_S244)
+    if(_S234)
     {
-        _S244 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+        _S234 = (Receiver_slack_0(receiver_12)) <= 0.0f;
     }
     else
     {
-        _S244 = false;
+        _S234 = false;
     }
-    if(_S244)
+    if(_S234)
     {
         return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
     }
@@ -3218,40 +3126,40 @@ fn in_grid_3( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
     {
         return receiver_12;
     }
-    var _S245 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
+    var _S235 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
     if((Receiver_slack_0(receiver_12)) > 0.0f)
     {
-        return Receiver_x24init_0(Transform_point_0(_S245.grid_from_world_0, receiver_12.point_0), receiver_12.normal_0);
+        return Receiver_x24init_0(Transform_point_0(_S235.grid_from_world_0, receiver_12.point_0), receiver_12.normal_0);
     }
-    return Receiver_x24init_0(Transform_point_0(_S245.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S245.grid_from_world_0, receiver_12.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(_S235.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S235.grid_from_world_0, receiver_12.normal_0)));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_3.node_0);
-    var _S246 : vec3<f32> = vector_of_0(node_10.max_0);
-    var _S247 : vec3<f32> = vector_of_0(node_10.min_0);
-    var _S248 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S246 - _S247) * _S248;
-    var toward_1 : vec3<f32> = (_S247 + _S246) * _S248 - point_7;
+    var _S236 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S237 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S238 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S236 - _S237) * _S238;
+    var toward_1 : vec3<f32> = (_S237 + _S236) * _S238 - point_7;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_7, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S249 : f32 = way_3.choice_0 * total_5;
-    var _S250 : u32 = (*side_0);
+    var _S239 : f32 = way_3.choice_0 * total_5;
+    var _S240 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_2);
-    var _S251 : bool;
+    var _S241 : bool;
     if(is_met_2)
     {
-        _S251 = u32(0) == _S250;
+        _S241 = u32(0) == _S240;
     }
     else
     {
-        _S251 = share_0 > 0.0f;
+        _S241 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S251)
+    if(_S241)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3260,145 +3168,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S252 : bool = _S249 < (share_0 * way_3.weight_0);
+    var _S242 : bool = _S239 < (share_0 * way_3.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S251 = u32(1) == _S250;
+        _S241 = u32(1) == _S240;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S251 = !_S252;
+            _S241 = !_S242;
         }
         else
         {
-            _S251 = false;
+            _S241 = false;
         }
     }
-    if(_S251)
+    if(_S241)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S252)
+    if(_S242)
     {
-        _S251 = true;
+        _S241 = true;
     }
     else
     {
-        _S251 = _S249 < (passed_0 * way_3.weight_0);
+        _S241 = _S239 < (passed_0 * way_3.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_2);
-    var _S253 : bool;
+    var _S243 : bool;
     if(is_met_2)
     {
-        _S253 = u32(2) == _S250;
+        _S243 = u32(2) == _S240;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S253 = !_S251;
+            _S243 = !_S241;
         }
         else
         {
-            _S253 = false;
+            _S243 = false;
         }
     }
-    if(_S253)
+    if(_S243)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S251)
+    if(_S241)
     {
-        _S251 = true;
+        _S241 = true;
     }
     else
     {
-        _S251 = _S249 < (passed_1 * way_3.weight_0);
+        _S241 = _S239 < (passed_1 * way_3.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S253 = u32(3) == _S250;
+        _S243 = u32(3) == _S240;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S253 = !_S251;
+            _S243 = !_S241;
         }
         else
         {
-            _S253 = false;
+            _S243 = false;
         }
     }
-    if(_S253)
+    if(_S243)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S251)
+    if(_S241)
     {
-        _S251 = true;
+        _S241 = true;
     }
     else
     {
-        _S251 = _S249 < (passed_2 * way_3.weight_0);
+        _S241 = _S239 < (passed_2 * way_3.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S253 = u32(4) == _S250;
+        _S243 = u32(4) == _S240;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S253 = !_S251;
+            _S243 = !_S241;
         }
         else
         {
-            _S253 = false;
+            _S243 = false;
         }
     }
-    if(_S253)
+    if(_S243)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S251)
+    if(_S241)
     {
-        _S251 = true;
+        _S241 = true;
     }
     else
     {
-        _S251 = _S249 < (passed_3 * way_3.weight_0);
+        _S241 = _S239 < (passed_3 * way_3.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S251 = u32(5) == _S250;
+        _S241 = u32(5) == _S240;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S251 = !_S251;
+            _S241 = !_S241;
         }
         else
         {
-            _S251 = false;
+            _S241 = false;
         }
     }
-    if(_S251)
+    if(_S241)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3406,13 +3314,13 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S251 = ((*odds_0).x) > 0.0f;
+        _S241 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S251 = false;
+        _S241 = false;
     }
-    return _S251;
+    return _S241;
 }
 
 fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
@@ -3422,16 +3330,16 @@ fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
 
 fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
-    var _S254 : u32;
+    var _S244 : u32;
     if(lights_in_pages_0())
     {
-        _S254 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
+        _S244 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
     }
     else
     {
-        _S254 = light_node_word_0(index_20, u32(8) + side_1);
+        _S244 = light_node_word_0(index_20, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S254)));
+    return (bitcast<f32>((_S244)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3487,35 +3395,35 @@ fn emitter_word_0( index_22 : u32,  word_9 : u32) -> u32
 
 fn emitter_faces_at_0( index_23 : u32) -> u32
 {
-    var _S255 : u32;
+    var _S245 : u32;
     if(lights_in_pages_0())
     {
-        _S255 = cells_0[place_in_emitter_0(index_23, u32(4))];
+        _S245 = cells_0[place_in_emitter_0(index_23, u32(4))];
     }
     else
     {
-        _S255 = emitter_word_0(index_23, u32(4));
+        _S245 = emitter_word_0(index_23, u32(4));
     }
-    return _S255;
+    return _S245;
 }
 
 fn emitter_luminance_at_0( index_24 : u32) -> f32
 {
-    var _S256 : f32;
+    var _S246 : f32;
     if(lights_in_pages_0())
     {
-        _S256 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
+        _S246 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
     }
     else
     {
-        _S256 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+        _S246 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
-    return _S256;
+    return _S246;
 }
 
 struct Emitter_0
 {
-     voxel_9 : array<i32, i32(3)>,
+     voxel_10 : array<i32, i32(3)>,
      grid_6 : u32,
      faces_0 : u32,
      material_0 : u32,
@@ -3523,31 +3431,31 @@ struct Emitter_0
      leaf_0 : u32,
 };
 
-fn Emitter_x24init_0( voxel_10 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
+fn Emitter_x24init_0( voxel_11 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S257 : Emitter_0;
-    _S257.voxel_9 = voxel_10;
-    _S257.grid_6 = grid_7;
-    _S257.faces_0 = faces_1;
-    _S257.material_0 = material_1;
-    _S257.luminance_4 = luminance_5;
-    _S257.leaf_0 = leaf_1;
-    return _S257;
+    var _S247 : Emitter_0;
+    _S247.voxel_10 = voxel_11;
+    _S247.grid_6 = grid_7;
+    _S247.faces_0 = faces_1;
+    _S247.material_0 = material_1;
+    _S247.luminance_4 = luminance_5;
+    _S247.leaf_0 = leaf_1;
+    return _S247;
 }
 
 fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S258 : u32 = u32(2) * index_25;
-        var _S259 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S258);
-        var _S260 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S258 + u32(1));
-        var _S261 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S259.x), i32(_S259.y), i32(_S259.z) );
-        return Emitter_x24init_0(_S261, _S259.w, _S260.x, _S260.y, (bitcast<f32>((_S260.z))), _S260.w);
+        var _S248 : u32 = u32(2) * index_25;
+        var _S249 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S248);
+        var _S250 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S248 + u32(1));
+        var _S251 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S249.x), i32(_S249.y), i32(_S249.z) );
+        return Emitter_x24init_0(_S251, _S249.w, _S250.x, _S250.y, (bitcast<f32>((_S250.z))), _S250.w);
     }
     var at_8 : u32 = place_in_emitter_0(index_25, u32(0));
-    var _S262 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
-    return Emitter_x24init_0(_S262, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
+    var _S252 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
+    return Emitter_x24init_0(_S252, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -3557,7 +3465,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_5 : u32 = way_4.count_1;
     var node_11 : u32 = way_4.node_0;
     var index_26 : u32 = way_4.index_0;
-    var _S263 : f32 = threshold_1;
+    var _S253 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3577,7 +3485,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        if(_S263 < power_left_0)
+        if(_S253 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -3590,7 +3498,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S263 = _S263 - power_left_0;
+            _S253 = _S253 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3601,9 +3509,9 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             node_11 = index_26;
         }
         var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S264 : u32 = below_0.x;
+        var _S254 : u32 = below_0.x;
         count_5 = below_0.y;
-        index_26 = _S264;
+        index_26 = _S254;
     }
     is_found_0 = false;
     var chosen_3 : u32 = index_26;
@@ -3627,10 +3535,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_9)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S265 : f32 = _S263 - emitter_luminance_at_0(at_9);
-            is_found_0 = _S263 < (emitter_luminance_at_0(at_9));
+            var _S255 : f32 = _S253 - emitter_luminance_at_0(at_9);
+            is_found_0 = _S253 < (emitter_luminance_at_0(at_9));
             chosen_3 = at_9;
-            _S263 = _S265;
+            _S253 = _S255;
         }
         at_9 = at_9 + u32(1);
     }
@@ -3675,57 +3583,57 @@ struct PackedMaterial_0
 
 fn material_of_index_0( index_27 : u32) -> PackedMaterial_0
 {
-    var _S266 : u32 = u32(4) * index_27;
-    var _S267 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266);
-    var _S268 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266 + u32(1));
-    var _S269 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266 + u32(2));
-    var _S270 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S266 + u32(3));
+    var _S256 : u32 = u32(4) * index_27;
+    var _S257 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256);
+    var _S258 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256 + u32(1));
+    var _S259 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256 + u32(2));
+    var _S260 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S271 : f32 = (bitcast<f32>((_S267.y)));
-    var _S272 : f32 = (bitcast<f32>((_S267.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S267.x)));
-    material_2.base_color_0[i32(1)] = _S271;
-    material_2.base_color_0[i32(2)] = _S272;
-    var _S273 : f32 = (bitcast<f32>((_S268.y)));
-    var _S274 : f32 = (bitcast<f32>((_S268.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((_S268.x)));
-    material_2.emission_0[i32(1)] = _S273;
-    material_2.emission_0[i32(2)] = _S274;
-    var _S275 : f32 = (bitcast<f32>((_S270.y)));
-    var _S276 : f32 = (bitcast<f32>((_S270.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S270.x)));
-    material_2.absorption_0[i32(1)] = _S275;
-    material_2.absorption_0[i32(2)] = _S276;
-    material_2.roughness_0 = (bitcast<f32>((_S267.w)));
-    material_2.metallic_0 = (bitcast<f32>((_S268.w)));
-    material_2.transmission_0 = (bitcast<f32>((_S269.x)));
-    material_2.ior_0 = (bitcast<f32>((_S269.y)));
-    material_2.specular_0 = (bitcast<f32>((_S269.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((_S269.w)));
-    material_2.scattering_0 = (bitcast<f32>((_S270.w)));
+    var _S261 : f32 = (bitcast<f32>((_S257.y)));
+    var _S262 : f32 = (bitcast<f32>((_S257.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S257.x)));
+    material_2.base_color_0[i32(1)] = _S261;
+    material_2.base_color_0[i32(2)] = _S262;
+    var _S263 : f32 = (bitcast<f32>((_S258.y)));
+    var _S264 : f32 = (bitcast<f32>((_S258.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S258.x)));
+    material_2.emission_0[i32(1)] = _S263;
+    material_2.emission_0[i32(2)] = _S264;
+    var _S265 : f32 = (bitcast<f32>((_S260.y)));
+    var _S266 : f32 = (bitcast<f32>((_S260.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S260.x)));
+    material_2.absorption_0[i32(1)] = _S265;
+    material_2.absorption_0[i32(2)] = _S266;
+    material_2.roughness_0 = (bitcast<f32>((_S257.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S258.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S259.x)));
+    material_2.ior_0 = (bitcast<f32>((_S259.y)));
+    material_2.specular_0 = (bitcast<f32>((_S259.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S259.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S260.w)));
     return material_2;
 }
 
 fn is_without_surface_0( material_3 : PackedMaterial_0) -> bool
 {
-    var _S277 : bool;
+    var _S267 : bool;
     if((material_3.transmission_0) >= 1.0f)
     {
-        _S277 = (material_3.ior_0) == 1.0f;
+        _S267 = (material_3.ior_0) == 1.0f;
     }
     else
     {
-        _S277 = false;
+        _S267 = false;
     }
-    if(_S277)
+    if(_S267)
     {
-        _S277 = (material_3.metallic_0) <= 0.0f;
+        _S267 = (material_3.metallic_0) <= 0.0f;
     }
     else
     {
-        _S277 = false;
+        _S267 = false;
     }
-    return _S277;
+    return _S267;
 }
 
 fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -3746,45 +3654,45 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S278 : bool;
+    var _S268 : bool;
     if(!IS_SINGLE_0)
     {
-        _S278 = aim_2.is_met_0;
+        _S268 = aim_2.is_met_0;
     }
     else
     {
-        _S278 = false;
+        _S268 = false;
     }
-    if(_S278)
+    if(_S268)
     {
-        var _S279 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
-        if((_S279.light_leaf_0) == u32(4294967295))
+        var _S269 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
+        if((_S269.light_leaf_0) == u32(4294967295))
         {
-            _S278 = true;
+            _S268 = true;
         }
         else
         {
-            var _S280 : bool = climb_0(receiver_13, _S279.light_leaf_0, &(descent_3));
-            _S278 = !_S280;
+            var _S270 : bool = climb_0(receiver_13, _S269.light_leaf_0, &(descent_3));
+            _S268 = !_S270;
         }
-        if(_S278)
+        if(_S268)
         {
             return false;
         }
-        Descent_at_1(&(descent_3), _S279.light_leaf_0);
+        Descent_at_1(&(descent_3), _S269.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S281 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S278 = !_S281;
+            var _S271 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
+            _S268 = !_S271;
         }
         else
         {
-            _S278 = false;
+            _S268 = false;
         }
-        if(_S278)
+        if(_S268)
         {
             return false;
         }
@@ -3792,8 +3700,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_0;
     var local_5 : Receiver_0 = in_grid_3(descent_3.index_0, receiver_13);
     Descent_at_0(&(descent_3), top_light_node_0(descent_3.node_0).root_0);
-    var _S282 : bool = descend_0(local_5, aim_2, &(descent_3));
-    if(!_S282)
+    var _S272 : bool = descend_0(local_5, aim_2, &(descent_3));
+    if(!_S272)
     {
         return false;
     }
@@ -3801,50 +3709,50 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S278 = aim_2.is_met_0;
+        _S268 = aim_2.is_met_0;
     }
     else
     {
-        _S278 = false;
+        _S268 = false;
     }
-    if(_S278)
+    if(_S268)
     {
-        _S278 = is_cut_0(aim_2.hit_0);
+        _S268 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S278 = false;
+        _S268 = false;
     }
-    if(_S278)
+    if(_S268)
     {
-        _S278 = true;
+        _S268 = true;
     }
     else
     {
-        var _S283 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-        _S278 = !_S283;
+        var _S273 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+        _S268 = !_S273;
     }
-    if(_S278)
+    if(_S268)
     {
         return false;
     }
     var power_2 : f32 = light_power_at_0(descent_3.node_0, side_3);
-    var _S284 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S274 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S285 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S284.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
-        (*sample_5).pdf_1 = _S285;
-        return _S285 > 0.0f;
+        var _S275 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S274.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
+        (*sample_5).pdf_1 = _S275;
+        return _S275 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_2);
-    var _S286 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_9));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S286, side_3, u_7.z, u_7.w);
+    var _S276 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_10));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S276, side_3, u_7.z, u_7.w);
     var pdf_6 : f32 = density_0(odds_2, emitter_1.luminance_4, power_2, on_face_0 - local_5.point_0, side_3);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_0(_S284.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S284.grid_from_world_0.translation_0), _S286, side_3, on_face_0)) - receiver_13.point_0;
+    var direction_12 : vec3<f32> = Transform_point_0(_S274.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S274.grid_from_world_0.translation_0), _S276, side_3, on_face_0)) - receiver_13.point_0;
     var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
     (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(material_of_index_0(emitter_1.material_0)), pdf_6);
     return cos_theta_8 > 0.0f;
@@ -3852,8 +3760,8 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S287 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S287;
+    var _S277 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
+    return _S277;
 }
 
 fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
@@ -3877,9 +3785,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
     }
     if(is_found_1)
     {
-        var _S288 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S278 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_1 = _S288;
+        is_found_1 = _S278;
     }
     else
     {
@@ -3901,15 +3809,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
         }
         if(is_found_1)
         {
-            var _S289 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S279 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_1 = _S289;
+            is_found_1 = _S279;
         }
         else
         {
-            var _S290 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S280 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_0;
-            is_found_1 = _S290;
+            is_found_1 = _S280;
         }
     }
     return is_found_1;
@@ -3922,41 +3830,41 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S291 : f32;
+    var _S281 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S291 = params_0.sun_pdf_0;
+        _S281 = params_0.sun_pdf_0;
     }
     else
     {
-        _S291 = 0.0f;
+        _S281 = 0.0f;
     }
-    return _S291;
+    return _S281;
 }
 
 fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
 {
-    var _S292 : f32;
+    var _S282 : f32;
     if(has_sun_0())
     {
-        _S292 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+        _S282 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
     }
     else
     {
-        _S292 = 0.0f;
+        _S282 = 0.0f;
     }
-    return _S292;
+    return _S282;
 }
 
-fn Hit_is_miss_0( this_29 : Hit_0) -> bool
+fn Hit_is_miss_0( this_31 : Hit_0) -> bool
 {
-    return (this_29.instance_0) == u32(4294967295);
+    return (this_31.instance_0) == u32(4294967295);
 }
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S293 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
-    return material_of_index_0(material_at_0(_S293, hit_8.voxel_0 - cell_of_0(_S293.origin_0)));
+    var _S283 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S283, hit_8.voxel_0 - cell_of_0(_S283.origin_0)));
 }
 
 @compute
@@ -3964,56 +3872,56 @@ fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S294 : u32 = id_9.x;
-    if(_S294 >= (dispatch_0.count_0))
+    var _S284 : u32 = id_9.x;
+    if(_S284 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S294);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S294);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S284);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S284);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S295 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S295);
+    var _S285 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S285);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
     var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
-    var _S296 : f32 = Reader_number_0(&(reader_9));
+    var _S286 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S296), by_chance_0(), &(sample_8));
+    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S286), by_chance_0(), &(sample_8));
     if(!is_found_2)
     {
         sample_8 = no_light_0();
     }
-    var ray_10 : Ray_0 = Reader_ray_0(&(reader_9));
+    var ray_8 : Ray_0 = Reader_ray_0(&(reader_9));
     var hit_9 : Hit_0 = Reader_hit_0(&(reader_9));
     Writer_word_0(&(writer_9), u32(is_found_2));
-    Writer_vector_0(&(writer_9), sample_8.ray_8.direction_1);
-    Writer_number_0(&(writer_9), sample_8.ray_8.t_max_0);
+    Writer_vector_0(&(writer_9), sample_8.ray_6.direction_1);
+    Writer_number_0(&(writer_9), sample_8.ray_6.t_max_0);
     Writer_number_0(&(writer_9), sample_8.cos_theta_4);
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
-    Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_8.direction_1));
+    Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_6.direction_1));
     var met_0 : LightSample_0;
-    var aim_5 : Aim_0 = Aim_x24init_0(true, ray_10.direction_1, hit_9, 0.0f);
-    var _S297 : bool = !Hit_is_miss_0(hit_9);
-    var _S298 : f32;
-    if(_S297)
+    var aim_5 : Aim_0 = Aim_x24init_0(true, ray_8.direction_1, hit_9, 0.0f);
+    var _S287 : bool = !Hit_is_miss_0(hit_9);
+    var _S288 : f32;
+    if(_S287)
     {
         var material_5 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_5))
         {
-            _S298 = 0.0f;
+            _S288 = 0.0f;
         }
         else
         {
-            _S298 = luminance_1(vector_of_0(material_5.emission_0));
+            _S288 = luminance_1(vector_of_0(material_5.emission_0));
         }
-        aim_5.luminance_0 = _S298;
+        aim_5.luminance_0 = _S288;
     }
     var is_met_3 : bool;
-    if(_S297)
+    if(_S287)
     {
-        var _S299 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S299;
+        var _S289 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S289;
     }
     else
     {
@@ -4021,47 +3929,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S298 = met_0.pdf_1;
+        _S288 = met_0.pdf_1;
     }
     else
     {
-        _S298 = 0.0f;
+        _S288 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S298);
+    Writer_number_0(&(writer_9), _S288);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S300 : vec3<f32>;
+    var _S290 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S300 = params_0.sun_radiance_0;
+        _S290 = params_0.sun_radiance_0;
     }
     else
     {
-        _S300 = vec3<f32>(0.0f);
+        _S290 = vec3<f32>(0.0f);
     }
-    return _S300;
+    return _S290;
 }
 
 fn Environment_to_map_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S301 : f32 = d_2.x;
-    var _S302 : f32 = d_2.y;
-    return vec3<f32>(_S301 * cos_3 - _S302 * sin_2, _S301 * sin_2 + _S302 * cos_3, d_2.z);
+    var _S291 : f32 = d_2.x;
+    var _S292 : f32 = d_2.y;
+    return vec3<f32>(_S291 * cos_3 - _S292 * sin_2, _S291 * sin_2 + _S292 * cos_3, d_2.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S303 : f32 = min(x_15, y_12);
-    var _S304 : f32 = max(x_15, y_12);
+    var _S293 : f32 = min(x_15, y_12);
+    var _S294 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S304 > 0.0f)
+    if(_S294 > 0.0f)
     {
-        ratio_0 = divide_0(_S303, _S304);
+        ratio_0 = divide_0(_S293, _S294);
     }
     else
     {
@@ -4083,10 +3991,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S305 : f32 = size_0.x;
-    var _S306 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S305 * _S305 + _S306 * _S306, 1.0f + size_0.z));
-    var v_7 : f32 = quarter_turns_0(_S305, _S306) * radius_3;
+    var _S295 : f32 = size_0.x;
+    var _S296 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S295 * _S295 + _S296 * _S296, 1.0f + size_0.z));
+    var v_7 : f32 = quarter_turns_0(_S295, _S296) * radius_3;
     var u_11 : f32 = radius_3 - v_7;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -4136,15 +4044,15 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S307 : Gradient_0;
-    _S307.nadir_0 = nadir_1;
-    _S307.zenith_0 = zenith_1;
-    return _S307;
+    var _S297 : Gradient_0;
+    _S297.nadir_0 = nadir_1;
+    _S297.zenith_0 = zenith_1;
+    return _S297;
 }
 
-fn Gradient_radiance_0( this_30 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
+fn Gradient_radiance_0( this_32 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
 {
-    return this_30.nadir_0 + (this_30.zenith_0 - this_30.nadir_0) * vec3<f32>((0.5f * (direction_20.z + 1.0f)));
+    return this_32.nadir_0 + (this_32.zenith_0 - this_32.nadir_0) * vec3<f32>((0.5f * (direction_20.z + 1.0f)));
 }
 
 fn Sky_radiance_0( direction_21 : vec3<f32>) -> vec3<f32>
@@ -4170,30 +4078,30 @@ fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S308 : f32;
+    var _S298 : f32;
     if(SKY_0 == u32(1))
     {
-        _S308 = Environment_pdf_0(direction_24);
+        _S298 = Environment_pdf_0(direction_24);
     }
     else
     {
-        _S308 = 0.0f;
+        _S298 = 0.0f;
     }
-    return _S308;
+    return _S298;
 }
 
 fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
 {
-    var _S309 : f32;
+    var _S299 : f32;
     if(Lights_has_chosen_sky_0())
     {
-        _S309 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+        _S299 = Sky_pdf_0(direction_25) * selection_3.sky_1;
     }
     else
     {
-        _S309 = 0.0f;
+        _S299 = 0.0f;
     }
-    return _S309;
+    return _S299;
 }
 
 @compute
@@ -4201,35 +4109,35 @@ fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f3
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S310 : u32 = id_10.x;
-    if(_S310 >= (dispatch_0.count_0))
+    var _S300 : u32 = id_10.x;
+    if(_S300 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S310);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S310);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S300);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S300);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S311 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S311);
+    var _S301 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S301);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S312 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S312);
+    var _S302 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S302);
     var sample_9 : LightSample_0;
     var is_found_3 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
     var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_3));
-    var _S313 : vec3<f32>;
+    var _S303 : vec3<f32>;
     if(is_found_3)
     {
-        _S313 = sample_9.ray_8.direction_1;
+        _S303 = sample_9.ray_6.direction_1;
     }
     else
     {
-        _S313 = vec3<f32>(0.0f);
+        _S303 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S313);
+    Writer_vector_0(&(writer_10), _S303);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
@@ -4239,32 +4147,32 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S313 = of_sky_0.ray_8.direction_1;
+        _S303 = of_sky_0.ray_6.direction_1;
     }
     else
     {
-        _S313 = vec3<f32>(0.0f);
+        _S303 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S313);
+    Writer_vector_0(&(writer_10), _S303);
     if(is_found_in_sky_0)
     {
-        _S313 = of_sky_0.radiance_3;
+        _S303 = of_sky_0.radiance_3;
     }
     else
     {
-        _S313 = vec3<f32>(0.0f);
+        _S303 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S313);
-    var _S314 : f32;
+    Writer_vector_0(&(writer_10), _S303);
+    var _S304 : f32;
     if(is_found_in_sky_0)
     {
-        _S314 = of_sky_0.pdf_1;
+        _S304 = of_sky_0.pdf_1;
     }
     else
     {
-        _S314 = 0.0f;
+        _S304 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S314);
+    Writer_number_0(&(writer_10), _S304);
     return;
 }
 
@@ -4273,21 +4181,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S315 : u32 = id_11.x;
-    if(_S315 >= (dispatch_0.count_0))
+    var _S305 : u32 = id_11.x;
+    if(_S305 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S316 : u32 = u32(5) * _S315;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S316);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S316);
-    var _S317 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S317);
+    var _S306 : u32 = u32(5) * _S305;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S306);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S306);
+    var _S307 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S307);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S318 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S318)));
+    var _S308 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S308)));
     return;
 }
 
@@ -4298,9 +4206,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S319 : Microfacets_0;
-    _S319.alpha_0 = alpha_1;
-    return _S319;
+    var _S309 : Microfacets_0;
+    _S309.alpha_0 = alpha_1;
+    return _S309;
 }
 
 struct MaterialBsdf_0
@@ -4314,13 +4222,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S320 : MaterialBsdf_0;
-    _S320.kind_0 = kind_1;
-    _S320.color_1 = color_2;
-    _S320.specular_1 = specular_2;
-    _S320.eta_0 = eta_1;
-    _S320.facets_0 = facets_1;
-    return _S320;
+    var _S310 : MaterialBsdf_0;
+    _S310.kind_0 = kind_1;
+    _S310.color_1 = color_2;
+    _S310.specular_1 = specular_2;
+    _S310.eta_0 = eta_1;
+    _S310.facets_0 = facets_1;
+    return _S310;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4335,16 +4243,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S321 : f32;
+    var _S311 : f32;
     if(is_chosen_0)
     {
-        _S321 = divide_0((*choice_2), share_7);
+        _S311 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S321 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S311 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S321;
+    (*choice_2) = _S311;
     return is_chosen_0;
 }
 
@@ -4352,13 +4260,13 @@ fn bsdf_of_0( material_6 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_6.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_6.roughness_0);
-    var _S322 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
-    if(_S322)
+    var _S312 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
+    if(_S312)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S323 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
-    if(_S323)
+    var _S313 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
+    if(_S313)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_6.ior_0, ior_1), facets_2);
     }
@@ -4377,10 +4285,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S324 : Conductor_0;
-    _S324.f0_0 = f0_1;
-    _S324.facets_3 = facets_4;
-    return _S324;
+    var _S314 : Conductor_0;
+    _S314.f0_0 = f0_1;
+    _S314.facets_3 = facets_4;
+    return _S314;
 }
 
 fn above_1( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4388,9 +4296,9 @@ fn above_1( wo_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(wo_0.x, wo_0.y, max(wo_0.z, 0.00009999999747379f));
 }
 
-fn Microfacets_is_smooth_0( this_31 : Microfacets_0) -> bool
+fn Microfacets_is_smooth_0( this_33 : Microfacets_0) -> bool
 {
-    return (this_31.alpha_0) < 0.00999999977648258f;
+    return (this_33.alpha_0) < 0.00999999977648258f;
 }
 
 fn fresnel_schlick_0( cos_i_0 : f32,  f0_2 : vec3<f32>) -> vec3<f32>
@@ -4410,23 +4318,23 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S325 : BsdfSample_0;
-    _S325.wi_0 = wi_1;
-    _S325.weight_3 = weight_4;
-    _S325.pdf_7 = pdf_8;
-    _S325.is_delta_0 = is_delta_1;
-    return _S325;
+    var _S315 : BsdfSample_0;
+    _S315.wi_0 = wi_1;
+    _S315.weight_3 = weight_4;
+    _S315.pdf_7 = pdf_8;
+    _S315.is_delta_0 = is_delta_1;
+    return _S315;
 }
 
-fn Microfacets_sample_visible_0( this_32 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_9 : f32) -> vec3<f32>
+fn Microfacets_sample_visible_0( this_34 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_9 : f32) -> vec3<f32>
 {
-    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_32.alpha_0 * wo_1.x, this_32.alpha_0 * wo_1.y, wo_1.z));
+    var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_34.alpha_0 * wo_1.x, this_34.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S326 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S326) - _S326;
+    var _S316 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S316) - _S316;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
-    return normalize_vector_0(vec3<f32>(this_32.alpha_0 * normal_5.x, this_32.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
+    return normalize_vector_0(vec3<f32>(this_34.alpha_0 * normal_5.x, this_34.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
 }
 
 fn reflect_by_0( wo_2 : vec3<f32>,  wm_0 : vec3<f32>) -> vec3<f32>
@@ -4439,55 +4347,55 @@ fn no_bsdf_sample_0() -> BsdfSample_0
     return BsdfSample_x24init_0(vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(0.0f), 0.0f, false);
 }
 
-fn Microfacets_masking_0( this_33 : Microfacets_0,  cos_4 : f32) -> f32
+fn Microfacets_masking_0( this_35 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S327 : f32 = this_33.alpha_0;
-    var alpha_squared_0 : f32 = _S327 * _S327;
+    var _S317 : f32 = this_35.alpha_0;
+    var alpha_squared_0 : f32 = _S317 * _S317;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
-fn Microfacets_shadowing_0( this_34 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
+fn Microfacets_shadowing_0( this_36 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : f32) -> f32
 {
-    var of_o_0 : f32 = Microfacets_masking_0(this_34, cos_o_0);
-    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_34, cos_i_1));
+    var of_o_0 : f32 = Microfacets_masking_0(this_36, cos_o_0);
+    return divide_0(cos_i_1 * (cos_o_0 + of_o_0), cos_i_1 * of_o_0 + cos_o_0 * Microfacets_masking_0(this_36, cos_i_1));
 }
 
-fn Microfacets_distribution_0( this_35 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
+fn Microfacets_distribution_0( this_37 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S328 : f32 = this_35.alpha_0;
-    var alpha_squared_1 : f32 = _S328 * _S328;
-    var _S329 : f32 = wm_1.z;
-    var _S330 : f32 = wm_1.x;
-    var _S331 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S329 * _S329) + (_S330 * _S330 + _S331 * _S331);
+    var _S318 : f32 = this_37.alpha_0;
+    var alpha_squared_1 : f32 = _S318 * _S318;
+    var _S319 : f32 = wm_1.z;
+    var _S320 : f32 = wm_1.x;
+    var _S321 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S319 * _S319) + (_S320 * _S320 + _S321 * _S321);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
-fn Microfacets_visible_pdf_0( this_36 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
+fn Microfacets_visible_pdf_0( this_38 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S332 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_36, wm_2), _S332 + Microfacets_masking_0(this_36, _S332));
+    var _S322 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_38, wm_2), _S322 + Microfacets_masking_0(this_38, _S322));
 }
 
-fn Conductor_sample_0( this_37 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
+fn Conductor_sample_0( this_39 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
 {
     var wo_4 : vec3<f32> = above_1(given_0);
-    if(Microfacets_is_smooth_0(this_37.facets_3))
+    if(Microfacets_is_smooth_0(this_39.facets_3))
     {
-        var _S333 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S333), fresnel_schlick_0(_S333, this_37.f0_0), 1.0f, true);
+        var _S323 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S323), fresnel_schlick_0(_S323, this_39.f0_0), 1.0f, true);
         return true;
     }
-    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_37.facets_3, wo_4, u_15.x, u_15.y);
+    var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_39.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S334 : f32 = wi_2.z;
-    if(_S334 <= 0.0f)
+    var _S324 : f32 = wi_2.z;
+    if(_S324 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_37.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_37.facets_3, wo_4.z, _S334)), divide_0(Microfacets_visible_pdf_0(this_37.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_39.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_39.facets_3, wo_4.z, _S324)), divide_0(Microfacets_visible_pdf_0(this_39.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4501,27 +4409,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S335 : Plastic_0;
-    _S335.reflectance_0 = reflectance_1;
-    _S335.specular_3 = specular_4;
-    _S335.eta_2 = eta_3;
-    _S335.facets_5 = facets_6;
-    return _S335;
+    var _S325 : Plastic_0;
+    _S325.reflectance_0 = reflectance_1;
+    _S325.specular_3 = specular_4;
+    _S325.eta_2 = eta_3;
+    _S325.facets_5 = facets_6;
+    return _S325;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S336 : f32;
+    var _S326 : f32;
     if(squared_1 > 0.0f)
     {
-        _S336 = square_root_0(squared_1);
+        _S326 = square_root_0(squared_1);
     }
     else
     {
-        _S336 = -1.0f;
+        _S326 = -1.0f;
     }
-    return _S336;
+    return _S326;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4531,31 +4439,31 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S337 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S337 - cos_t_0, _S337 + cos_t_0);
-    var _S338 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S338, cos_i_3 + _S338);
+    var _S327 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S327 - cos_t_0, _S327 + cos_t_0);
+    var _S328 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S328, cos_i_3 + _S328);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
-fn Plastic_coat_0( this_38 : Plastic_0,  cos_6 : f32) -> f32
+fn Plastic_coat_0( this_40 : Plastic_0,  cos_6 : f32) -> f32
 {
-    return this_38.specular_3 * fresnel_dielectric_0(cos_6, this_38.eta_2);
+    return this_40.specular_3 * fresnel_dielectric_0(cos_6, this_40.eta_2);
 }
 
-fn Plastic_coat_probability_0( this_39 : Plastic_0,  coat_0 : f32) -> f32
+fn Plastic_coat_probability_0( this_41 : Plastic_0,  coat_0 : f32) -> f32
 {
-    var below_1 : f32 = (1.0f - coat_0) * max_element_0(this_39.reflectance_0);
-    var _S339 : f32;
+    var below_1 : f32 = (1.0f - coat_0) * max_element_0(this_41.reflectance_0);
+    var _S329 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S339 = 0.0f;
+        _S329 = 0.0f;
     }
     else
     {
-        _S339 = divide_0(coat_0, coat_0 + below_1);
+        _S329 = divide_0(coat_0, coat_0 + below_1);
     }
-    return _S339;
+    return _S329;
 }
 
 struct BsdfEval_0
@@ -4566,10 +4474,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S340 : BsdfEval_0;
-    _S340.weight_5 = weight_6;
-    _S340.pdf_9 = pdf_10;
-    return _S340;
+    var _S330 : BsdfEval_0;
+    _S330.weight_5 = weight_6;
+    _S330.pdf_9 = pdf_10;
+    return _S330;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4577,20 +4485,20 @@ fn no_bsdf_eval_0() -> BsdfEval_0
     return BsdfEval_x24init_0(vec3<f32>(0.0f), 0.0f);
 }
 
-fn Plastic_eval_lobes_0( this_40 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
+fn Plastic_eval_lobes_0( this_42 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S341 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S341);
+    var _S331 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S331);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_40.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_40, _S341)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_42.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_42, _S331)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
-    if(!Microfacets_is_smooth_0(this_40.facets_5))
+    if(!Microfacets_is_smooth_0(this_42.facets_5))
     {
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
-        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_40.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_40, cos_7) * Microfacets_shadowing_0(this_40.facets_5, wo_5.z, _S341) * facet_pdf_0));
+        var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_42.facets_5, wo_5, wm_4), 4.0f * cos_7);
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_42, cos_7) * Microfacets_shadowing_0(this_42.facets_5, wo_5.z, _S331) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4606,32 +4514,32 @@ fn Plastic_eval_lobes_0( this_40 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
     return BsdfEval_x24init_0(scattered_1 * vec3<f32>(divide_0(1.0f, pdf_12)), pdf_12);
 }
 
-fn Plastic_sample_0( this_41 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
+fn Plastic_sample_0( this_43 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_1(given_1);
-    var _S342 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_41, _S342);
-    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_41, coat_2);
+    var _S332 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_43, _S332);
+    var coat_probability_1 : f32 = Plastic_coat_probability_0(this_43, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S343 : bool;
+    var _S333 : bool;
     if(is_coat_0)
     {
-        _S343 = Microfacets_is_smooth_0(this_41.facets_5);
+        _S333 = Microfacets_is_smooth_0(this_43.facets_5);
     }
     else
     {
-        _S343 = false;
+        _S333 = false;
     }
-    if(_S343)
+    if(_S333)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S342), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S332), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
     if(is_coat_0)
     {
-        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_41.facets_5, wo_6, u_16.x, u_16.y));
+        wi_4 = reflect_by_0(wo_6, Microfacets_sample_visible_0(this_43.facets_5, wo_6, u_16.x, u_16.y));
     }
     else
     {
@@ -4641,7 +4549,7 @@ fn Plastic_sample_0( this_41 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
     {
         return false;
     }
-    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_41, wo_6, wi_4, coat_2, coat_probability_1);
+    var eval_0 : BsdfEval_0 = Plastic_eval_lobes_0(this_43, wo_6, wi_4, coat_2, coat_probability_1);
     (*sample_11) = BsdfSample_x24init_0(wi_4, eval_0.weight_5, eval_0.pdf_9, false);
     return (eval_0.pdf_9) > 0.0f;
 }
@@ -4654,29 +4562,29 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S344 : Dielectric_0;
-    _S344.eta_6 = eta_7;
-    _S344.facets_7 = facets_8;
-    return _S344;
+    var _S334 : Dielectric_0;
+    _S334.eta_6 = eta_7;
+    _S334.facets_7 = facets_8;
+    return _S334;
 }
 
-fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
+fn Dielectric_sample_0( this_44 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_1(given_2);
-    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_42.facets_7);
-    const _S345 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    var is_smooth_0 : bool = Microfacets_is_smooth_0(this_44.facets_7);
+    const _S335 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
-        wm_5 = Microfacets_sample_visible_0(this_42.facets_7, wo_7, u_17.x, u_17.y);
+        wm_5 = Microfacets_sample_visible_0(this_44.facets_7, wo_7, u_17.x, u_17.y);
     }
     else
     {
-        wm_5 = _S345;
+        wm_5 = _S335;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
-    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_42.eta_6);
+    var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_44.eta_6);
     var is_reflected_0 : bool = (u_17.z) < reflectance_2;
     var wi_5 : vec3<f32>;
     if(is_reflected_0)
@@ -4685,8 +4593,8 @@ fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        var scale_0 : f32 = divide_0(1.0f, this_42.eta_6);
-        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_42.eta_6);
+        var scale_0 : f32 = divide_0(1.0f, this_44.eta_6);
+        var cos_t_1 : f32 = refracted_cosine_0(cos_8, this_44.eta_6);
         if(cos_t_1 < 0.0f)
         {
             return false;
@@ -4698,32 +4606,32 @@ fn Dielectric_sample_0( this_42 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S346 : f32 = wi_5.z;
-    var _S347 : bool;
-    if((_S346 > 0.0f) != is_reflected_0)
+    var _S336 : f32 = wi_5.z;
+    var _S337 : bool;
+    if((_S336 > 0.0f) != is_reflected_0)
     {
-        _S347 = true;
+        _S337 = true;
     }
     else
     {
-        _S347 = _S346 == 0.0f;
+        _S337 = _S336 == 0.0f;
     }
-    if(_S347)
+    if(_S337)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_42.facets_7, wo_7.z, abs(_S346)));
-    var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_42.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S348 : f32;
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_44.facets_7, wo_7.z, abs(_S336)));
+    var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_44.facets_7, wo_7, wm_5), 4.0f * cos_8);
+    var _S338 : f32;
     if(is_reflected_0)
     {
-        _S348 = pdf_13;
+        _S338 = pdf_13;
     }
     else
     {
-        _S348 = 1.0f;
+        _S338 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S348, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S338, !is_reflected_0);
     return true;
 }
 
@@ -4735,10 +4643,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S349 : Phase_0;
-    _S349.color_4 = color_5;
-    _S349.anisotropy_1 = anisotropy_2;
-    return _S349;
+    var _S339 : Phase_0;
+    _S339.color_4 = color_5;
+    _S339.anisotropy_1 = anisotropy_2;
+    return _S339;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_10 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4749,33 +4657,33 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_1
     }
     else
     {
-        var _S350 : f32 = anisotropy_3 * anisotropy_3;
-        var _S351 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S350, 1.0f + anisotropy_3 - _S351 * u_18);
-        (*cos_9) = divide_0(1.0f + _S350 - ratio_1 * ratio_1, _S351);
+        var _S340 : f32 = anisotropy_3 * anisotropy_3;
+        var _S341 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S340, 1.0f + anisotropy_3 - _S341 * u_18);
+        (*cos_9) = divide_0(1.0f + _S340 - ratio_1 * ratio_1, _S341);
     }
-    var _S352 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S352;
-    var radius_5 : f32 = square_root_0(1.0f - _S352 * _S352);
+    var _S342 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S342;
+    var radius_5 : f32 = square_root_0(1.0f - _S342 * _S342);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_10);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S352);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S342);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S353 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S353 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S353, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S343 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S343 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S343, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
-fn Phase_sample_0( this_43 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
+fn Phase_sample_0( this_45 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
 {
     var cos_11 : f32;
-    var wi_6 : vec3<f32> = sample_phase_0(this_43.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
-    (*sample_13) = BsdfSample_x24init_0(wi_6, this_43.color_4, phase_pdf_0(this_43.anisotropy_1, cos_11), false);
+    var wi_6 : vec3<f32> = sample_phase_0(this_45.anisotropy_1, (vec3<f32>(0) - wo_8), u_19.x, u_19.y, &(cos_11));
+    (*sample_13) = BsdfSample_x24init_0(wi_6, this_45.color_4, phase_pdf_0(this_45.anisotropy_1, cos_11), false);
     return true;
 }
 
@@ -4786,144 +4694,144 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S354 : Diffuse_0;
-    _S354.reflectance_3 = reflectance_4;
-    return _S354;
+    var _S344 : Diffuse_0;
+    _S344.reflectance_3 = reflectance_4;
+    return _S344;
 }
 
-fn Diffuse_sample_0( this_44 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
+fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
 {
     var wi_7 : vec3<f32> = cosine_hemisphere_0(u_20.x, u_20.y);
-    (*sample_14) = BsdfSample_x24init_0(wi_7, this_44.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
+    (*sample_14) = BsdfSample_x24init_0(wi_7, this_46.reflectance_3, cosine_hemisphere_pdf_0(wi_7.z), false);
     return true;
 }
 
-fn MaterialBsdf_sample_0( this_45 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
+fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : vec3<f32>,  sample_15 : ptr<function, BsdfSample_0>) -> bool
 {
-    if((this_45.kind_0) == u32(1))
+    if((this_47.kind_0) == u32(1))
     {
-        var _S355 : bool = Conductor_sample_0(Conductor_x24init_0(this_45.color_1, this_45.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S355;
+        var _S345 : bool = Conductor_sample_0(Conductor_x24init_0(this_47.color_1, this_47.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S345;
     }
-    if((this_45.kind_0) == u32(2))
+    if((this_47.kind_0) == u32(2))
     {
-        var _S356 : bool = Plastic_sample_0(Plastic_x24init_0(this_45.color_1, this_45.specular_1, this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S356;
+        var _S346 : bool = Plastic_sample_0(Plastic_x24init_0(this_47.color_1, this_47.specular_1, this_47.eta_0, this_47.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S346;
     }
-    if((this_45.kind_0) == u32(3))
+    if((this_47.kind_0) == u32(3))
     {
-        var _S357 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_45.eta_0, this_45.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S357;
+        var _S347 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_47.eta_0, this_47.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S347;
     }
-    if((this_45.kind_0) == u32(4))
+    if((this_47.kind_0) == u32(4))
     {
-        var _S358 : bool = Phase_sample_0(Phase_x24init_0(this_45.color_1, this_45.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S358;
+        var _S348 : bool = Phase_sample_0(Phase_x24init_0(this_47.color_1, this_47.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S348;
     }
-    var _S359 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_45.color_1), wo_10, u_21, &((*sample_15)));
-    return _S359;
+    var _S349 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_1), wo_10, u_21, &((*sample_15)));
+    return _S349;
 }
 
-fn Conductor_eval_0( this_46 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
+fn Conductor_eval_0( this_48 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S360 : bool;
-    if(Microfacets_is_smooth_0(this_46.facets_3))
+    var _S350 : bool;
+    if(Microfacets_is_smooth_0(this_48.facets_3))
     {
-        _S360 = true;
+        _S350 = true;
     }
     else
     {
-        _S360 = (wi_8.z) <= 0.0f;
+        _S350 = (wi_8.z) <= 0.0f;
     }
-    if(_S360)
+    if(_S350)
     {
         return no_bsdf_eval_0();
     }
     var wo_11 : vec3<f32> = above_1(given_3);
     var wm_6 : vec3<f32> = normalize_vector_0(wo_11 + wi_8);
     var cos_12 : f32 = dot_product_0(wo_11, wm_6);
-    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_46.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_46.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_46.facets_3, wo_11, wm_6), 4.0f * cos_12));
+    return BsdfEval_x24init_0(fresnel_schlick_0(cos_12, this_48.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_48.facets_3, wo_11.z, wi_8.z)), divide_0(Microfacets_visible_pdf_0(this_48.facets_3, wo_11, wm_6), 4.0f * cos_12));
 }
 
-fn Plastic_eval_0( this_47 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
+fn Plastic_eval_0( this_49 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>) -> BsdfEval_0
 {
     if((wi_9.z) <= 0.0f)
     {
         return no_bsdf_eval_0();
     }
     var wo_12 : vec3<f32> = above_1(given_4);
-    var coat_3 : f32 = Plastic_coat_0(this_47, wo_12.z);
-    return Plastic_eval_lobes_0(this_47, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_47, coat_3));
+    var coat_3 : f32 = Plastic_coat_0(this_49, wo_12.z);
+    return Plastic_eval_lobes_0(this_49, wo_12, wi_9, coat_3, Plastic_coat_probability_0(this_49, coat_3));
 }
 
-fn Dielectric_eval_0( this_48 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
+fn Dielectric_eval_0( this_50 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S361 : bool;
-    if(Microfacets_is_smooth_0(this_48.facets_7))
+    var _S351 : bool;
+    if(Microfacets_is_smooth_0(this_50.facets_7))
     {
-        _S361 = true;
+        _S351 = true;
     }
     else
     {
-        _S361 = (wi_10.z) <= 0.0f;
+        _S351 = (wi_10.z) <= 0.0f;
     }
-    if(_S361)
+    if(_S351)
     {
         return no_bsdf_eval_0();
     }
     var wo_13 : vec3<f32> = above_1(given_5);
     var wm_7 : vec3<f32> = normalize_vector_0(wo_13 + wi_10);
     var cos_13 : f32 = dot_product_0(wo_13, wm_7);
-    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_48.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_48.eta_6) * Microfacets_visible_pdf_0(this_48.facets_7, wo_13, wm_7), 4.0f * cos_13));
+    return BsdfEval_x24init_0(vec3<f32>(Microfacets_shadowing_0(this_50.facets_7, wo_13.z, wi_10.z)), divide_0(fresnel_dielectric_0(cos_13, this_50.eta_6) * Microfacets_visible_pdf_0(this_50.facets_7, wo_13, wm_7), 4.0f * cos_13));
 }
 
-fn Phase_eval_0( this_49 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
+fn Phase_eval_0( this_51 : Phase_0,  wo_14 : vec3<f32>,  wi_11 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_49.color_4, phase_pdf_0(this_49.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
+    return BsdfEval_x24init_0(this_51.color_4, phase_pdf_0(this_51.anisotropy_1, dot_product_0((vec3<f32>(0) - wo_14), wi_11)));
 }
 
-fn Diffuse_eval_0( this_50 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
+fn Diffuse_eval_0( this_52 : Diffuse_0,  wo_15 : vec3<f32>,  wi_12 : vec3<f32>) -> BsdfEval_0
 {
-    return BsdfEval_x24init_0(this_50.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
+    return BsdfEval_x24init_0(this_52.reflectance_3, cosine_hemisphere_pdf_0(wi_12.z));
 }
 
-fn MaterialBsdf_eval_0( this_51 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
+fn MaterialBsdf_eval_0( this_53 : MaterialBsdf_0,  wo_16 : vec3<f32>,  wi_13 : vec3<f32>) -> BsdfEval_0
 {
-    if((this_51.kind_0) == u32(1))
+    if((this_53.kind_0) == u32(1))
     {
-        return Conductor_eval_0(Conductor_x24init_0(this_51.color_1, this_51.facets_0), wo_16, wi_13);
+        return Conductor_eval_0(Conductor_x24init_0(this_53.color_1, this_53.facets_0), wo_16, wi_13);
     }
-    if((this_51.kind_0) == u32(2))
-    {
-        return Plastic_eval_0(Plastic_x24init_0(this_51.color_1, this_51.specular_1, this_51.eta_0, this_51.facets_0), wo_16, wi_13);
-    }
-    if((this_51.kind_0) == u32(3))
-    {
-        return Dielectric_eval_0(Dielectric_x24init_0(this_51.eta_0, this_51.facets_0), wo_16, wi_13);
-    }
-    if((this_51.kind_0) == u32(4))
-    {
-        return Phase_eval_0(Phase_x24init_0(this_51.color_1, this_51.specular_1), wo_16, wi_13);
-    }
-    return Diffuse_eval_0(Diffuse_x24init_0(this_51.color_1), wo_16, wi_13);
-}
-
-fn Plastic_albedo_0( this_52 : Plastic_0) -> vec3<f32>
-{
-    return max(this_52.reflectance_0, vec3<f32>(Plastic_coat_0(this_52, 1.0f)));
-}
-
-fn MaterialBsdf_albedo_0( this_53 : MaterialBsdf_0) -> vec3<f32>
-{
     if((this_53.kind_0) == u32(2))
     {
-        return Plastic_albedo_0(Plastic_x24init_0(this_53.color_1, this_53.specular_1, this_53.eta_0, this_53.facets_0));
+        return Plastic_eval_0(Plastic_x24init_0(this_53.color_1, this_53.specular_1, this_53.eta_0, this_53.facets_0), wo_16, wi_13);
     }
     if((this_53.kind_0) == u32(3))
     {
+        return Dielectric_eval_0(Dielectric_x24init_0(this_53.eta_0, this_53.facets_0), wo_16, wi_13);
+    }
+    if((this_53.kind_0) == u32(4))
+    {
+        return Phase_eval_0(Phase_x24init_0(this_53.color_1, this_53.specular_1), wo_16, wi_13);
+    }
+    return Diffuse_eval_0(Diffuse_x24init_0(this_53.color_1), wo_16, wi_13);
+}
+
+fn Plastic_albedo_0( this_54 : Plastic_0) -> vec3<f32>
+{
+    return max(this_54.reflectance_0, vec3<f32>(Plastic_coat_0(this_54, 1.0f)));
+}
+
+fn MaterialBsdf_albedo_0( this_55 : MaterialBsdf_0) -> vec3<f32>
+{
+    if((this_55.kind_0) == u32(2))
+    {
+        return Plastic_albedo_0(Plastic_x24init_0(this_55.color_1, this_55.specular_1, this_55.eta_0, this_55.facets_0));
+    }
+    if((this_55.kind_0) == u32(3))
+    {
         return vec3<f32>(1.0f);
     }
-    return this_53.color_1;
+    return this_55.color_1;
 }
 
 @compute
@@ -4931,13 +4839,13 @@ fn MaterialBsdf_albedo_0( this_53 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S362 : u32 = id_12.x;
-    if(_S362 >= (dispatch_0.count_0))
+    var _S352 : u32 = id_12.x;
+    if(_S352 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S362);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S362);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S352);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S352);
     var material_7 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4949,12 +4857,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S363 : f32 = Reader_number_0(&(reader_12));
-        material_7.base_color_0[channel_0] = _S363;
+        var _S353 : f32 = Reader_number_0(&(reader_12));
+        material_7.base_color_0[channel_0] = _S353;
         channel_0 = channel_0 + u32(1);
     }
-    var _S364 : f32 = Reader_number_0(&(reader_12));
-    material_7.roughness_0 = _S364;
+    var _S354 : f32 = Reader_number_0(&(reader_12));
+    material_7.roughness_0 = _S354;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4965,20 +4873,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S365 : f32 = Reader_number_0(&(reader_12));
-        material_7.emission_0[channel_0] = _S365;
+        var _S355 : f32 = Reader_number_0(&(reader_12));
+        material_7.emission_0[channel_0] = _S355;
         channel_0 = channel_0 + u32(1);
     }
-    var _S366 : f32 = Reader_number_0(&(reader_12));
-    material_7.metallic_0 = _S366;
-    var _S367 : f32 = Reader_number_0(&(reader_12));
-    material_7.transmission_0 = _S367;
-    var _S368 : f32 = Reader_number_0(&(reader_12));
-    material_7.ior_0 = _S368;
-    var _S369 : f32 = Reader_number_0(&(reader_12));
-    material_7.specular_0 = _S369;
-    var _S370 : f32 = Reader_number_0(&(reader_12));
-    material_7.anisotropy_0 = _S370;
+    var _S356 : f32 = Reader_number_0(&(reader_12));
+    material_7.metallic_0 = _S356;
+    var _S357 : f32 = Reader_number_0(&(reader_12));
+    material_7.transmission_0 = _S357;
+    var _S358 : f32 = Reader_number_0(&(reader_12));
+    material_7.ior_0 = _S358;
+    var _S359 : f32 = Reader_number_0(&(reader_12));
+    material_7.specular_0 = _S359;
+    var _S360 : f32 = Reader_number_0(&(reader_12));
+    material_7.anisotropy_0 = _S360;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4989,26 +4897,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S371 : f32 = Reader_number_0(&(reader_12));
-        material_7.absorption_0[channel_0] = _S371;
+        var _S361 : f32 = Reader_number_0(&(reader_12));
+        material_7.absorption_0[channel_0] = _S361;
         channel_0 = channel_0 + u32(1);
     }
-    var _S372 : f32 = Reader_number_0(&(reader_12));
-    material_7.scattering_0 = _S372;
+    var _S362 : f32 = Reader_number_0(&(reader_12));
+    material_7.scattering_0 = _S362;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S373 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S373;
-    var _S374 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S374));
-    u_22[i32(2)] = _S374;
+    var _S363 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S363;
+    var _S364 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S364));
+    u_22[i32(2)] = _S364;
     var sample_16 : BsdfSample_0;
     var is_found_4 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_4)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S375 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S375);
+    var _S365 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S365);
     Writer_word_0(&(writer_12), u32(is_found_4));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -5046,37 +4954,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S376 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S376 > u32(3474675);
+    var _S366 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S366 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S377 : u32;
+    var _S367 : u32;
     if(is_upper_0)
     {
-        _S377 = u32(1056964608);
+        _S367 = u32(1056964608);
     }
     else
     {
-        _S377 = u32(1065353216);
+        _S367 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S376 | (_S377)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S366 | (_S367)))));
     var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S378 : f32 = f32(power_4);
-    return _S378 * 0.693359375f + (_S378 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S368 : f32 = f32(power_4);
+    return _S368 * 0.693359375f + (_S368 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S379 : f32;
+    var _S369 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S379 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S369 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S379 = (bitcast<f32>(infinity_bits_0));
+        _S369 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S379;
+    return _S369;
 }
 
 @compute
@@ -5084,13 +4992,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S380 : u32 = id_13.x;
-    if(_S380 >= (dispatch_0.count_0))
+    var _S370 : u32 = id_13.x;
+    if(_S370 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S380);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S380);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S370);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S370);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -5102,14 +5010,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S381 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S381;
+        var _S371 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S371;
         channel_1 = channel_1 + u32(1);
     }
-    var _S382 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S382;
-    var _S383 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S383;
+    var _S372 : f32 = Reader_number_0(&(reader_13));
+    medium_3.scattering_0 = _S372;
+    var _S373 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S373;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -5118,11 +5026,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S384 : vec3<f32> = sample_phase_0(_S383, forward_1, u_24, v_11, &(cos_14));
-    Writer_vector_0(&(writer_13), _S384);
+    var _S374 : vec3<f32> = sample_phase_0(_S373, forward_1, u_24, v_11, &(cos_14));
+    Writer_vector_0(&(writer_13), _S374);
     Writer_number_0(&(writer_13), cos_14);
-    var _S385 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S383, _S385));
+    var _S375 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S373, _S375));
     return;
 }
 
@@ -5136,12 +5044,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S386 : Perspective_0;
-    _S386.eye_1 = eye_2;
-    _S386.corner_2 = corner_3;
-    _S386.pixel_x_1 = pixel_x_2;
-    _S386.pixel_y_1 = pixel_y_2;
-    return _S386;
+    var _S376 : Perspective_0;
+    _S376.eye_1 = eye_2;
+    _S376.corner_2 = corner_3;
+    _S376.pixel_x_1 = pixel_x_2;
+    _S376.pixel_y_1 = pixel_y_2;
+    return _S376;
 }
 
 struct Axes_0
@@ -5153,11 +5061,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S387 : Axes_0;
-    _S387.forward_2 = forward_3;
-    _S387.right_3 = right_4;
-    _S387.up_0 = up_1;
-    return _S387;
+    var _S377 : Axes_0;
+    _S377.forward_2 = forward_3;
+    _S377.right_3 = right_4;
+    _S377.up_0 = up_1;
+    return _S377;
 }
 
 struct ThinLens_0
@@ -5170,28 +5078,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S388 : ThinLens_0;
-    _S388.perspective_0 = perspective_1;
-    _S388.lens_x_1 = lens_x_2;
-    _S388.lens_y_1 = lens_y_2;
-    _S388.blades_1 = blades_2;
-    return _S388;
+    var _S378 : ThinLens_0;
+    _S378.perspective_0 = perspective_1;
+    _S378.lens_x_1 = lens_x_2;
+    _S378.lens_y_1 = lens_y_2;
+    _S378.blades_1 = blades_2;
+    return _S378;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_8 : f32 = 2.0f * square_2.x - 1.0f;
     var b_7 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S389 : bool;
+    var _S379 : bool;
     if(a_8 == 0.0f)
     {
-        _S389 = b_7 == 0.0f;
+        _S379 = b_7 == 0.0f;
     }
     else
     {
-        _S389 = false;
+        _S379 = false;
     }
-    if(_S389)
+    if(_S379)
     {
         return vec2<f32>(0.0f);
     }
@@ -5218,7 +5126,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S390 : f32 = abs(radius_6);
+    var _S380 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -5227,7 +5135,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S390, radius_6);
+    return vec2<f32>(_S380, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -5245,16 +5153,16 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S391 : f32 = from_0.y;
-    var _S392 : f32 = from_0.x;
-    return vec2<f32>(_S391 + (to_0.y - _S391) * share_8, _S392 + (to_0.x - _S392) * share_8) * vec2<f32>(radius_7);
+    var _S381 : f32 = from_0.y;
+    var _S382 : f32 = from_0.x;
+    return vec2<f32>(_S381 + (to_0.y - _S381) * share_8, _S382 + (to_0.x - _S382) * share_8) * vec2<f32>(radius_7);
 }
 
-fn ThinLens_ray_0( this_54 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_56 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
 {
-    var place_4 : vec2<f32> = place_in_aperture_0(this_54.blades_1, lens_2);
-    var offset_0 : vec3<f32> = this_54.lens_x_1 * vec3<f32>(place_4.x) + this_54.lens_y_1 * vec3<f32>(place_4.y);
-    return ray_from_0(this_54.perspective_0.eye_1 + offset_0, normalize_vector_0(this_54.perspective_0.corner_2 + this_54.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_54.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
+    var place_4 : vec2<f32> = place_in_aperture_0(this_56.blades_1, lens_2);
+    var offset_0 : vec3<f32> = this_56.lens_x_1 * vec3<f32>(place_4.x) + this_56.lens_y_1 * vec3<f32>(place_4.y);
+    return ray_from_0(this_56.perspective_0.eye_1 + offset_0, normalize_vector_0(this_56.perspective_0.corner_2 + this_56.perspective_0.pixel_x_1 * vec3<f32>(position_1.x) + this_56.perspective_0.pixel_y_1 * vec3<f32>(position_1.y) - offset_0));
 }
 
 struct Orthographic_0
@@ -5267,17 +5175,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S393 : Orthographic_0;
-    _S393.corner_4 = corner_5;
-    _S393.pixel_x_3 = pixel_x_4;
-    _S393.pixel_y_3 = pixel_y_4;
-    _S393.forward_4 = forward_5;
-    return _S393;
+    var _S383 : Orthographic_0;
+    _S383.corner_4 = corner_5;
+    _S383.pixel_x_3 = pixel_x_4;
+    _S383.pixel_y_3 = pixel_y_4;
+    _S383.forward_4 = forward_5;
+    return _S383;
 }
 
-fn Orthographic_ray_0( this_55 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_57 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_55.corner_4 + this_55.pixel_x_3 * vec3<f32>(position_2.x) + this_55.pixel_y_3 * vec3<f32>(position_2.y), this_55.forward_4);
+    return ray_from_0(this_57.corner_4 + this_57.pixel_x_3 * vec3<f32>(position_2.x) + this_57.pixel_y_3 * vec3<f32>(position_2.y), this_57.forward_4);
 }
 
 struct Panorama_0
@@ -5290,26 +5198,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S394 : Panorama_0;
-    _S394.eye_3 = eye_4;
-    _S394.axes_1 = axes_2;
-    _S394.inverse_size_0 = inverse_size_1;
-    _S394.half_eye_distance_0 = half_eye_distance_1;
-    return _S394;
+    var _S384 : Panorama_0;
+    _S384.eye_3 = eye_4;
+    _S384.axes_1 = axes_2;
+    _S384.inverse_size_0 = inverse_size_1;
+    _S384.half_eye_distance_0 = half_eye_distance_1;
+    return _S384;
 }
 
-fn Panorama_ray_0( this_56 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_58 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_3.y * this_56.inverse_size_0.y;
+    var latitude_0 : f32 = position_3.y * this_58.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_56.half_eye_distance_0;
+        side_4 = this_58.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_56.half_eye_distance_0;
+        side_4 = - this_58.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -5320,11 +5228,11 @@ fn Panorama_ray_0( this_56 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_56.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_58.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S395 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S396 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_56.eye_3 + (this_56.axes_1.forward_2 * _S396 - this_56.axes_1.right_3 * _S395) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_2 * _S395 + this_56.axes_1.right_3 * _S396) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S385 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S386 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_58.eye_3 + (this_58.axes_1.forward_2 * _S386 - this_58.axes_1.right_3 * _S385) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_58.axes_1.forward_2 * _S385 + this_58.axes_1.right_3 * _S386) * vec3<f32>(height_2.x) + this_58.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5337,20 +5245,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S397 : Fisheye_0;
-    _S397.eye_5 = eye_6;
-    _S397.axes_3 = axes_4;
-    _S397.middle_1 = middle_2;
-    _S397.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S397;
+    var _S387 : Fisheye_0;
+    _S387.eye_5 = eye_6;
+    _S387.axes_3 = axes_4;
+    _S387.middle_1 = middle_2;
+    _S387.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S387;
 }
 
-fn Fisheye_ray_0( this_57 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_59 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    var x_20 : f32 = position_4.x - this_57.middle_1.x;
-    var y_14 : f32 = position_4.y - this_57.middle_1.y;
+    var x_20 : f32 = position_4.x - this_59.middle_1.x;
+    var y_14 : f32 = position_4.y - this_59.middle_1.y;
     var radius_8 : f32 = square_root_0(x_20 * x_20 + y_14 * y_14);
-    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_57.turns_per_pixel_0, 1.0f));
+    var sin_cos_7 : vec2<f32> = sincos_turns_0(min(radius_8 * this_59.turns_per_pixel_0, 1.0f));
     var scale_1 : f32;
     if(radius_8 > 0.0f)
     {
@@ -5360,12 +5268,12 @@ fn Fisheye_ray_0( this_57 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f
     {
         scale_1 = 0.0f;
     }
-    return ray_from_0(this_57.eye_5, normalize_vector_0(this_57.axes_3.forward_2 * vec3<f32>(sin_cos_7.y) + this_57.axes_3.right_3 * vec3<f32>((x_20 * scale_1)) - this_57.axes_3.up_0 * vec3<f32>((y_14 * scale_1))));
+    return ray_from_0(this_59.eye_5, normalize_vector_0(this_59.axes_3.forward_2 * vec3<f32>(sin_cos_7.y) + this_59.axes_3.right_3 * vec3<f32>((x_20 * scale_1)) - this_59.axes_3.up_0 * vec3<f32>((y_14 * scale_1))));
 }
 
-fn Perspective_ray_0( this_58 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_60 : Perspective_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_58.eye_1, normalize_vector_0(this_58.corner_2 + this_58.pixel_x_1 * vec3<f32>(position_5.x) + this_58.pixel_y_1 * vec3<f32>(position_5.y)));
+    return ray_from_0(this_60.eye_1, normalize_vector_0(this_60.corner_2 + this_60.pixel_x_1 * vec3<f32>(position_5.x) + this_60.pixel_y_1 * vec3<f32>(position_5.y)));
 }
 
 struct CameraFrame_0
@@ -5380,27 +5288,27 @@ struct CameraFrame_0
      blades_4 : u32,
 };
 
-fn CameraFrame_ray_0( this_59 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_61 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_59.eye_7, this_59.corner_6, this_59.pixel_x_5, this_59.pixel_y_5);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_59.corner_6, this_59.pixel_x_5, this_59.pixel_y_5);
-    switch(this_59.lens_7)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_61.eye_7, this_61.corner_6, this_61.pixel_x_5, this_61.pixel_y_5);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_61.corner_6, this_61.pixel_x_5, this_61.pixel_y_5);
+    switch(this_61.lens_7)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_59.lens_x_3, this_59.lens_y_3, this_59.blades_4), position_6, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_61.lens_x_3, this_61.lens_y_3, this_61.blades_4), position_6, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_59.corner_6, this_59.pixel_x_5, this_59.pixel_y_5, this_59.lens_x_3), position_6, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_61.corner_6, this_61.pixel_x_5, this_61.pixel_y_5, this_61.lens_x_3), position_6, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_59.eye_7, axes_5, this_59.lens_x_3.xy, this_59.lens_x_3.z), position_6, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_61.eye_7, axes_5, this_61.lens_x_3.xy, this_61.lens_x_3.z), position_6, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_59.eye_7, axes_5, this_59.lens_x_3.xy, this_59.lens_x_3.z), position_6, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_61.eye_7, axes_5, this_61.lens_x_3.xy, this_61.lens_x_3.z), position_6, lens_sample_0);
         }
     default :
         {
@@ -5414,40 +5322,40 @@ fn CameraFrame_ray_0( this_59 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S398 : u32 = id_14.x;
-    if(_S398 >= (dispatch_0.count_0))
+    var _S388 : u32 = id_14.x;
+    if(_S388 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S398);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S398);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S388);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S388);
     var camera_0 : CameraFrame_0;
-    var _S399 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S399;
-    var _S400 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S400;
-    var _S401 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S401;
-    var _S402 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S402;
-    var _S403 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S403;
-    var _S404 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S404;
-    var _S405 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S405;
-    var _S406 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S406;
+    var _S389 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S389;
+    var _S390 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.eye_7 = _S390;
+    var _S391 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.corner_6 = _S391;
+    var _S392 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_x_5 = _S392;
+    var _S393 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.pixel_y_5 = _S393;
+    var _S394 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_x_3 = _S394;
+    var _S395 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S395;
+    var _S396 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S396;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S407 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S407);
+    var _S397 : f32 = Reader_number_0(&(reader_14));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S397);
     var u_25 : f32 = Reader_number_0(&(reader_14));
-    var _S408 : f32 = Reader_number_0(&(reader_14));
-    var ray_11 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S408));
-    Writer_vector_0(&(writer_14), ray_11.origin_1);
-    Writer_number_0(&(writer_14), ray_11.t_min_0);
-    Writer_vector_0(&(writer_14), ray_11.direction_1);
-    Writer_number_0(&(writer_14), ray_11.t_max_0);
+    var _S398 : f32 = Reader_number_0(&(reader_14));
+    var ray_9 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S398));
+    Writer_vector_0(&(writer_14), ray_9.origin_1);
+    Writer_number_0(&(writer_14), ray_9.t_min_0);
+    Writer_vector_0(&(writer_14), ray_9.direction_1);
+    Writer_number_0(&(writer_14), ray_9.t_max_0);
     return;
 }
 
