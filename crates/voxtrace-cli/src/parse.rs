@@ -190,6 +190,17 @@ pub fn unit(text: &str) -> Result<LengthUnit, String> {
 
 /// `1000000`, `500MB`, `1GB`, `2GiB`.
 pub fn bytes(text: &str) -> Result<u64, String> {
+    let value = number_of_bytes(text)?.round();
+    if (1.0..1e18).contains(&value) { Ok(value as u64) } else { Err(format!("{text:?} is not a number of bytes")) }
+}
+
+/// As [`bytes`], or `0`.
+pub fn bytes_or_none(text: &str) -> Result<u64, String> {
+    if number_of_bytes(text)? == 0.0 { Ok(0) } else { bytes(text) }
+}
+
+/// Bytes with their unit, not rounded.
+fn number_of_bytes(text: &str) -> Result<f64, String> {
     let text = text.trim();
     let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
     let factor = match text[digits.len()..].to_ascii_lowercase().as_str() {
@@ -201,8 +212,7 @@ pub fn bytes(text: &str) -> Result<u64, String> {
         "gib" => 1_073_741_824.0,
         _ => return Err(format!("{text:?} is not a number of bytes like 500MB or 1GB")),
     };
-    let value = (number::<f64>(digits, "a number of bytes")? * factor).round();
-    if (1.0..1e18).contains(&value) { Ok(value as u64) } else { Err(format!("{text:?} is not a number of bytes")) }
+    Ok(number::<f64>(digits, "a number of bytes")? * factor)
 }
 
 #[cfg(test)]
@@ -275,5 +285,9 @@ mod tests {
     fn bytes_come_in_thousands_or_in_1024s() {
         assert_eq!((bytes("500MB"), bytes("1gb"), bytes("2GiB")), (Ok(500_000_000), Ok(1_000_000_000), Ok(2 << 30)));
         assert!(bytes("").is_err() && bytes("0").is_err() && bytes("1XB").is_err() && bytes("-1GB").is_err());
+        assert_eq!((bytes_or_none("0"), bytes_or_none("0MB"), bytes_or_none("2kB")), (Ok(0), Ok(0), Ok(2000)));
+        for wrong in ["", "0XB", "-1", "0.4", "nan"] {
+            assert!(bytes_or_none(wrong).is_err(), "{wrong}");
+        }
     }
 }

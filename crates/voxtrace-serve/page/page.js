@@ -156,8 +156,11 @@ async function showThumbnail(place, number) {
   }
 }
 
-/** Sends files one after the other, and asks before one takes another's place. */
-async function add(files) {
+/** The end of all files so far: those of several drops are sent one after the other, too, and there is one question at a time. */
+let added = Promise.resolve();
+
+/** Sends files to the folder that is shown now, once those before are there. */
+function add(files) {
   const { folder } = where();
   uploads.hidden = false;
   for (const file of files) {
@@ -166,19 +169,25 @@ async function add(files) {
     bar.setAttribute("aria-label", file.name);
     line.append(file.name, bar);
     uploads.append(line);
-    const say = (text, className = "") => {
-      line.className = className;
-      line.replaceChildren(text);
-    };
-    let answer = await send(file, folder, false, bar);
-    if (answer.status === 409 && (await wantsToReplace(answer.said.error))) answer = await send(file, folder, true, bar);
-    if (answer.status === 201) {
-      const link = make("a", { href: `#/scene/${encoded(answer.said.name)}`, textContent: answer.said.name.split("/").at(-1) });
-      line.replaceChildren(`${file.name} is here as `, link);
-    } else if (answer.status === 409) say(`${file.name}: ${answer.said.error}, and was left.`);
-    else say(answer.said.error ?? `${file.name}: the server cannot be reached`, "alarm");
+    added = added.then(() => addOne(file, folder, line, bar)).catch(({ message }) => say(line, `${file.name}: ${message}`, "alarm"));
   }
-  if (where().scene === undefined) await go();
+  added = added.then(() => where().scene === undefined && go());
+}
+
+/** Sends a file, and asks before it takes another's place. */
+async function addOne(file, folder, line, bar) {
+  let answer = await send(file, folder, false, bar);
+  if (answer.status === 409 && (await wantsToReplace(answer.said.error))) answer = await send(file, folder, true, bar);
+  if (answer.status === 201) {
+    const link = make("a", { href: `#/scene/${encoded(answer.said.name)}`, textContent: answer.said.name.split("/").at(-1) });
+    line.replaceChildren(`${file.name} is here as `, link);
+  } else if (answer.status === 409) say(line, `${file.name}: ${answer.said.error}, and was left.`);
+  else say(line, answer.said.error ?? `${file.name}: the server cannot be reached`, "alarm");
+}
+
+function say(line, text, className = "") {
+  line.className = className;
+  line.replaceChildren(text);
 }
 
 function send(file, folder, replaces, bar) {
@@ -216,12 +225,12 @@ addEventListener("drop", (event) => {
   document.body.classList.remove("dropping");
   if (!carriesFiles(event)) return;
   event.preventDefault();
-  void add([...event.dataTransfer.files]);
+  add([...event.dataTransfer.files]);
 });
 find("files").addEventListener("change", ({ target }) => {
   const files = [...target.files];
   target.value = "";
-  void add(files);
+  add(files);
 });
 addEventListener("hashchange", go);
 await go();

@@ -113,13 +113,18 @@ impl Access {
             || cookies.any(|(name, value)| name == self.cookie && is_right(value))
     }
 
-    /// The answer to a visit with the token in the address: the token goes into a cookie, which no script reads and no other page sends.
+    /// The answer to a visit with the token in the address: the token goes into a cookie, which no script reads.
+    ///
+    /// The cookie is `Lax`: a link in somebody's mail is a visit from another site, the redirect belongs to it, and browsers send no `Strict` cookie along.
+    /// Other sites get no more by it than visits by GET: these change nothing, and their answers are shown to the person alone (in no frame, and in no window
+    /// that the other site holds). Writes and web sockets are no visits: browsers send them without the cookie, and with their `Origin`, which
+    /// [`Self::check`] refuses.
     fn welcome(&self, method: &Method, uri: &Uri) -> Option<Response> {
         let token = self.token.as_ref()?;
         if method != Method::GET || uri.path() != "/" || token_of(uri).is_none() {
             return None;
         }
-        let cookie = format!("{}={token}; Path=/; HttpOnly; SameSite=Strict", self.cookie);
+        let cookie = format!("{}={token}; Path=/; HttpOnly; SameSite=Lax", self.cookie);
         Some((StatusCode::SEE_OTHER, [(header::SET_COOKIE, cookie), (header::LOCATION, "/".into())]).into_response())
     }
 }

@@ -18,6 +18,8 @@ mod access;
 mod connections;
 mod files;
 mod info;
+mod joint;
+mod kept;
 mod listing;
 mod page;
 mod picture;
@@ -27,6 +29,7 @@ mod remote;
 mod scenes;
 mod server;
 mod settings;
+mod sources;
 mod thumbnails;
 mod upload;
 

@@ -1,6 +1,6 @@
 //! What is in a folder: scenes, and folders of it.
 
-use crate::places::{Place, format_of, is_plain};
+use crate::places::{Place, Root, format_of, is_plain};
 use crate::refusal::Refusal;
 use serde::Serialize;
 use std::fs;
@@ -38,7 +38,11 @@ pub struct SceneEntry {
 }
 
 impl Listing {
-    pub fn of(place: &Place, options: &ImportOptions) -> Result<Self, Refusal> {
+    /// What is in a folder of `root`. Of links those that lead to what clients are given.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn of(root: &Root, place: &Place, options: &ImportOptions) -> Result<Self, Refusal> {
         let failed = |error: std::io::Error| Refusal::failed(format!("{:?} cannot be listed: {error}", place.name));
         let mut listing = Self { path: place.name.clone(), folders: Vec::new(), scenes: Vec::new(), is_cut: false };
         for entry in fs::read_dir(&place.path).map_err(failed)? {
@@ -46,25 +50,32 @@ impl Listing {
             let Some(name) = entry.file_name().to_str().filter(|name| is_plain(name)).map(str::to_owned) else {
                 continue;
             };
-            // Where links lead is looked at when they are followed.
-            let Ok(metadata) = fs::metadata(entry.path()) else { continue };
+            let Some(found) = found(root, place, &entry, &name) else { continue };
             if listing.folders.len() + listing.scenes.len() >= MOST_ENTRIES {
                 listing.is_cut = true;
                 break;
             }
-            if metadata.is_dir() {
+            if found.metadata.is_dir() {
                 let is_looked_into = listing.folders.len() < MOST_LOOKED_INTO;
-                let path = entry.path();
-                let opened = if is_looked_into { READERS.open(&path, options).ok() } else { None };
+                let opened = if is_looked_into { READERS.open(&found.path, options).ok() } else { None };
                 let format = opened.map(|opened| opened.reader().name);
                 listing.folders.push(FolderEntry { name, format });
-            } else if metadata.is_file()
-                && let Some(format) = format_of(&entry.path())
+            } else if found.metadata.is_file()
+                && let Some(format) = format_of(&found.path)
             {
-                let (bytes, written) = Place { name: String::new(), path: entry.path(), metadata }.version();
+                let (bytes, written) = found.version();
                 listing.scenes.push(SceneEntry { name, format, bytes, written: (written / 1_000_000) as u64 });
             }
         }
         Ok(listing)
     }
+}
+
+/// An entry of a folder, where it leads to what clients are given.
+fn found(root: &Root, folder: &Place, entry: &fs::DirEntry, name: &str) -> Option<Place> {
+    let name = if folder.name.is_empty() { name.to_owned() } else { format!("{}/{name}", folder.name) };
+    if entry.file_type().ok()?.is_symlink() {
+        return root.find(&name).ok();
+    }
+    Some(Place { name, path: entry.path(), metadata: entry.metadata().ok()? })
 }

@@ -90,9 +90,14 @@ impl Root {
 impl Place {
     /// Changes when the file does: its length and when it was written, nanoseconds.
     pub fn version(&self) -> (u64, u128) {
-        let written = self.metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
-        (self.metadata.len(), written.map_or(0, |time| time.as_nanos()))
+        stamp_of(&self.metadata)
     }
+}
+
+/// The length of a file and when it was written, nanoseconds.
+pub fn stamp_of(metadata: &Metadata) -> (u64, u128) {
+    let written = metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+    (metadata.len(), written.map_or(0, |time| time.as_nanos()))
 }
 
 /// Whether a part of a path is a name as people give them on every system: nothing that leads elsewhere, is hidden, or means a device.

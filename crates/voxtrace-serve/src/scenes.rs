@@ -1,14 +1,18 @@
-//! Scenes of the folder, read once however many clients ask, and kept as long as there is room. What cannot be read is remembered, too, until its file
-//! changes.
+//! Scenes of the folder, read once however many clients ask, and kept as long as there is room. What cannot be read is remembered, too. Both hold until
+//! one of the files changes that the scene is read from.
 
+use crate::joint::{Joint, Work};
 use crate::places::Place;
 use crate::refusal::Refusal;
 use crate::settings::Limits;
+use crate::sources;
+use futures_util::FutureExt;
+use futures_util::future::Shared;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use tokio::sync::{OnceCell, Semaphore};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use tokio::sync::Semaphore;
 use voxtrace::PackedScene;
 use voxtrace::import::{self, Content, ImportOptions};
 
@@ -31,8 +35,9 @@ pub struct Opened {
 type Read = Result<Arc<Opened>, Refusal>;
 
 struct Entry {
-    version: (u64, u128),
-    read: Arc<OnceCell<Read>>,
+    version: u128,
+    read: Arc<OnceLock<Read>>,
+    under_way: Joint<Read>,
     last_use: u64,
 }
 
@@ -40,8 +45,8 @@ struct Entry {
 pub struct Scenes {
     entries: Mutex<(HashMap<PathBuf, Entry>, u64)>,
     /// One file is read for people at a time, and one for thumbnails: what reading takes is bounded.
-    for_people: Semaphore,
-    for_thumbnails: Semaphore,
+    for_people: Arc<Semaphore>,
+    for_thumbnails: Arc<Semaphore>,
     options: ImportOptions,
     memory: u64,
 }
@@ -57,41 +62,55 @@ impl Scenes {
     pub fn new(limits: &Limits) -> Self {
         Self {
             entries: Mutex::default(),
-            for_people: Semaphore::new(1),
-            for_thumbnails: Semaphore::new(1),
+            for_people: Arc::new(Semaphore::new(1)),
+            for_thumbnails: Arc::new(Semaphore::new(1)),
             options: options_for(limits.memory),
             memory: limits.memory,
         }
     }
 
-    /// The scene of a file or folder. Reading ends when nobody waits for it any more.
+    /// The scene of a file or folder. Reading goes on while anybody waits for it, and ends when nobody does.
+    ///
+    /// # Errors
+    /// If it cannot be read, or the server stops.
     pub async fn open(&self, place: &Place, who: For) -> Read {
-        let read = self.entry(place);
-        let read = read.get_or_try_init(|| async {
-            let turn = if who == For::Person { &self.for_people } else { &self.for_thumbnails };
-            let _turn = turn.acquire().await.map_err(|_| Refusal::busy("the server stops"))?;
-            let (path, name) = (place.path.clone(), place.name.clone());
-            // A file that is mapped must not be changed in its place; one that there is room for is read instead.
-            let in_memory = place.metadata.len() <= self.memory;
-            let options = ImportOptions { in_memory, ..self.options.clone() };
-            let read = while_waited_for(move |wanted| read_file(&path, &name, &options, wanted)).await?;
-            Ok::<_, Refusal>(read)
-        });
-        let read = read.await?.clone();
+        let (of_place, options) = (place.clone(), self.options.clone());
+        let version = while_waited_for(move |_| sources::version(&of_place, &options)).await?;
+        let read = self.read(place, version, who).await;
         self.make_room();
         read
     }
 
-    fn entry(&self, place: &Place) -> Arc<OnceCell<Read>> {
+    /// What was read of this version of a scene, or the end of reading it.
+    fn read(&self, place: &Place, version: u128, who: For) -> Shared<Work<Read>> {
         let (entries, clock) = &mut *self.lock();
         *clock += 1;
-        let new = || Entry { version: place.version(), read: Arc::default(), last_use: *clock };
+        let new = || Entry { version, read: Arc::default(), under_way: Joint::default(), last_use: *clock };
         let entry = entries.entry(place.path.clone()).or_insert_with(new);
-        if entry.version != place.version() {
+        if entry.version != version {
             *entry = new();
         }
         entry.last_use = *clock;
-        Arc::clone(&entry.read)
+        if let Some(read) = entry.read.get().cloned() {
+            let read: Work<Read> = Box::pin(async { read });
+            return read.shared();
+        }
+        let read = Arc::clone(&entry.read);
+        entry.under_way.join(|| self.reading(place, who, read))
+    }
+
+    /// Reads a scene in its turn, and remembers in `kept` what became of it.
+    fn reading(&self, place: &Place, who: For, kept: Arc<OnceLock<Read>>) -> Work<Read> {
+        let turn = Arc::clone(if who == For::Person { &self.for_people } else { &self.for_thumbnails });
+        let (path, name) = (place.path.clone(), place.name.clone());
+        // A file that is mapped must not be changed in its place; one that there is room for is read instead.
+        let in_memory = place.metadata.len() <= self.memory;
+        let options = ImportOptions { in_memory, ..self.options.clone() };
+        Box::pin(async move {
+            let _turn = turn.acquire_owned().await.map_err(|_| Refusal::busy("the server stops"))?;
+            let read = while_waited_for(move |wanted| read_file(&path, &name, &options, wanted)).await?;
+            kept.get_or_init(|| read).clone()
+        })
     }
 
     /// Forgets the scenes that were not asked for longest, until the others fit.
@@ -103,7 +122,7 @@ impl Scenes {
         };
         let mut bytes: u64 = entries.values().map(bytes_of).sum();
         while bytes > self.memory || entries.len() > MOST_FAILURES {
-            let oldest = entries.iter().filter(|(_, entry)| entry.read.initialized());
+            let oldest = entries.iter().filter(|(_, entry)| entry.read.get().is_some());
             let oldest = oldest.filter(|(_, entry)| entries.len() > MOST_FAILURES || bytes_of(entry) > 0);
             let Some(path) = oldest.min_by_key(|(_, entry)| entry.last_use).map(|(path, _)| path.clone()) else {
                 break;
@@ -161,4 +180,38 @@ pub async fn while_waited_for<T: Send + 'static>(
     let flag = Arc::clone(&wanted.0);
     let done = tokio::task::spawn_blocking(move || work(flag)).await;
     done.map_err(|_| Refusal::failed("this could not be done; the server goes on"))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::fs::{self, File};
+    use std::io::Write;
+    use std::process::Command;
+    use std::time::Duration;
+
+    /// A pipe tells when it is opened, and is read as slowly as it is written.
+    #[test]
+    fn a_scene_is_read_on_for_others_when_the_first_who_asked_leaves() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("slow.xyz");
+        assert!(Command::new("mkfifo").arg(&path).status().unwrap().success());
+        let place = Place { name: "slow.xyz".into(), metadata: fs::metadata(&path).unwrap(), path: path.clone() };
+        let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_all().build().unwrap();
+        let read = runtime.block_on(async {
+            let scenes = Scenes::new(&Limits::default());
+            let first = tokio::spawn(scenes.read(&place, 0, For::Person));
+            let mut writer = tokio::task::spawn_blocking(move || File::create(path).unwrap()).await.unwrap();
+            writer.write_all(b"0 0 0\n5 0 0\n0 5 0\n").unwrap();
+            let second = tokio::spawn(scenes.read(&place, 0, For::Person));
+            first.abort();
+            assert!(first.await.unwrap_err().is_cancelled());
+            writer.write_all(b"0 0 5\n5 5 5\n").unwrap();
+            drop(writer);
+            tokio::time::timeout(Duration::from_secs(60), second).await
+        });
+        runtime.shutdown_background();
+        let opened = read.expect("reading began anew").unwrap().unwrap();
+        assert_eq!(opened.scene.statistics().voxels, 5);
+    }
 }

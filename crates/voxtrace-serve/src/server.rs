@@ -237,7 +237,8 @@ async fn list(State(app): Shared, Path(name): Path<String>) -> Result<Json<Listi
         return Err(Refusal::nothing(&name));
     }
     let options = app.scenes.options().clone();
-    while_waited_for(move |_| Listing::of(&place, &options)).await?.map(Json)
+    let root = app.root.clone();
+    while_waited_for(move |_| Listing::of(&root, &place, &options)).await?.map(Json)
 }
 
 async fn info(State(app): Shared, Path(name): Path<String>) -> Result<Json<Info>, Refusal> {

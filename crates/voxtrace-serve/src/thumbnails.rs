@@ -1,18 +1,21 @@
-//! Small pictures of scenes: rendered when a client first sees the scene in its list, one after the other, and kept by what the file holds, so that a copy
-//! or another name needs no other picture.
+//! Small pictures of scenes: rendered when a client first sees the scene in its list, one after the other, and kept by what the file or the scene holds, so
+//! that a copy needs no other picture.
 
+use crate::kept::{Kept, Key};
 use crate::picture::Shown;
 use crate::places::Place;
 use crate::refusal::Refusal;
 use crate::scenes::{For, Scenes, while_waited_for};
+use crate::sources;
 use axum::body::Bytes;
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 use tokio::sync::Semaphore;
+use voxtrace::import::ImportOptions;
 use voxtrace::{CpuTracer, Frame, PackedScene, Picture, Progress, Tracer};
 use xxhash_rust::xxh3::Xxh3;
 
@@ -26,12 +29,10 @@ const VERSION: u64 = 1;
 const MOST_WAITING: usize = 64;
 /// Bytes at the head and at the end of a file that tell what it holds; of a longer file also when it was written.
 const TOLD_BY: u64 = 32 << 20;
-/// Bytes of thumbnails that are kept between runs.
-const MOST_KEPT: u64 = 256 << 20;
 
 /// Thumbnails, and who waits for them.
 pub struct Thumbnails {
-    cache: Option<PathBuf>,
+    kept: Kept,
     turn: Semaphore,
     waiting: AtomicUsize,
 }
@@ -39,42 +40,56 @@ pub struct Thumbnails {
 impl Thumbnails {
     /// Keeps thumbnails below the folder `cache`.
     pub fn new(cache: Option<&Path>) -> Self {
-        let cache = cache.map(|cache| cache.join("thumbnails"));
-        if let Some(cache) = &cache {
-            prune(cache);
-        }
-        Self { cache, turn: Semaphore::new(1), waiting: AtomicUsize::new(0) }
+        let kept = Kept::new(cache.map(|cache| cache.join("thumbnails")));
+        Self { kept, turn: Semaphore::new(1), waiting: AtomicUsize::new(0) }
     }
 
     /// The thumbnail of a scene, a JPEG. Work on it ends when nobody waits for it any more.
+    ///
+    /// # Errors
+    /// If the scene cannot be read or traced, or too many wait.
     pub async fn of(&self, place: &Place, scenes: &Scenes) -> Result<Bytes, Refusal> {
         let _waiting = Waiting::new(&self.waiting)?;
-        let of_file = place.clone();
-        let key = while_waited_for(move |_| key_of(&of_file)).await?;
-        let kept = key.ok().and_then(|key| Some(self.cache.as_ref()?.join(format!("{key:032x}.jpg"))));
-        if let Some(bytes) = read_kept(kept.as_deref()).await {
-            return Ok(bytes);
+        let (of_file, options) = (place.clone(), scenes.options().clone());
+        let key = while_waited_for(move |_| key_of(&of_file, &options)).await?.ok();
+        if let Some(jpeg) = self.kept_of_file(key).await? {
+            return Ok(jpeg);
         }
         let _turn = self.turn.acquire().await.map_err(|_| Refusal::busy("the server stops"))?;
         // Those who waited for the same one find it made.
-        if let Some(bytes) = read_kept(kept.as_deref()).await {
-            return Ok(bytes);
+        if let Some(jpeg) = self.kept_of_file(key).await? {
+            return Ok(jpeg);
         }
         let opened = scenes.open(place, For::Thumbnail).await?;
         let scene = Arc::clone(&opened.scene);
         drop(opened);
-        let jpeg = while_waited_for(move |wanted| render(&scene, wanted)).await??;
-        if let Some(kept) = kept {
-            let bytes = jpeg.clone();
-            let _ = while_waited_for(move |_| keep(&kept, &bytes)).await;
-        }
-        Ok(jpeg.into())
+        let (kept, path, options) = (self.kept.clone(), place.path.clone(), scenes.options().clone());
+        let jpeg = while_waited_for(move |wanted| {
+            let hash = scene.content_hash() ^ VERSION;
+            let jpeg = match kept.of_scene(hash) {
+                Some(jpeg) => jpeg,
+                None => {
+                    let jpeg = render(&scene, wanted)?;
+                    // Where it cannot be kept it is rendered again.
+                    let _ = kept.keep(hash, &jpeg);
+                    jpeg
+                }
+            };
+            // What was written meanwhile may be another scene.
+            let now = fs::metadata(&path)
+                .and_then(|metadata| key_of(&Place { name: String::new(), path, metadata }, &options));
+            if let Some(key) = key.filter(|key| now.is_ok_and(|now| now == *key)) {
+                let _ = kept.keep_file(key, hash);
+            }
+            Ok::<_, Refusal>(jpeg)
+        });
+        Ok(jpeg.await??.into())
     }
-}
 
-/// A thumbnail that was kept.
-async fn read_kept(path: Option<&Path>) -> Option<Bytes> {
-    tokio::fs::read(path?).await.ok().map(Into::into)
+    async fn kept_of_file(&self, key: Option<Key>) -> Result<Option<Bytes>, Refusal> {
+        let kept = self.kept.clone();
+        while_waited_for(move |_| key.and_then(|key| kept.of_file(key)).map(Into::into)).await
+    }
 }
 
 /// One of those who wait.
@@ -96,22 +111,14 @@ impl Drop for Waiting<'_> {
     }
 }
 
-/// A hash of what a file holds; of a folder, of its files' names, lengths and times.
-fn key_of(place: &Place) -> io::Result<u128> {
+/// What tells a file: what it holds, or where its scene needs others, where it is, and their version.
+fn key_of(place: &Place, options: &ImportOptions) -> io::Result<Key> {
     let mut hash = Xxh3::with_seed(VERSION);
-    let (length, written) = place.version();
-    if place.metadata.is_dir() {
-        let mut files: Vec<_> = fs::read_dir(&place.path)?.collect::<Result<_, _>>()?;
-        files.sort_by_key(fs::DirEntry::file_name);
-        for file in files {
-            let metadata = file.metadata()?;
-            hash.update(file.file_name().as_encoded_bytes());
-            hash.update(&metadata.len().to_le_bytes());
-            let age = metadata.modified()?.duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-            hash.update(&age.as_nanos().to_le_bytes());
-        }
-        return Ok(hash.digest128());
+    if !sources::is_alone(place, options) {
+        hash.update(place.path.as_os_str().as_encoded_bytes());
+        return Ok(Key { file: hash.digest128(), version: sources::version(place, options) });
     }
+    let (length, written) = place.version();
     // The name tells the format of some files.
     hash.update(place.path.extension().unwrap_or_default().as_encoded_bytes());
     hash.update(&length.to_le_bytes());
@@ -122,7 +129,7 @@ fn key_of(place: &Place) -> io::Result<u128> {
         file.seek(SeekFrom::End(-(TOLD_BY as i64)))?;
     }
     update(&mut hash, file.take(TOLD_BY))?;
-    Ok(hash.digest128())
+    Ok(Key { file: hash.digest128(), version: 0 })
 }
 
 fn update(hash: &mut Xxh3, mut bytes: impl Read) -> io::Result<()> {
@@ -164,33 +171,4 @@ fn render(scene: &Arc<PackedScene>, wanted: Arc<AtomicBool>) -> Result<Vec<u8>, 
     let mut jpeg = Vec::new();
     shown.append_jpeg(&mut jpeg, QUALITY).map_err(|error| failed(&error))?;
     Ok(jpeg)
-}
-
-/// Keeps a thumbnail; where that is not possible it is rendered again.
-fn keep(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().expect("a file in a folder");
-    fs::create_dir_all(folder)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    io::Write::write_all(&mut file, bytes)?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
-}
-
-/// Removes the oldest thumbnails beyond those that are kept.
-fn prune(cache: &Path) {
-    let files = fs::read_dir(cache).into_iter().flatten().flatten();
-    let of_file = |file: fs::DirEntry| {
-        let metadata = file.metadata().ok().filter(fs::Metadata::is_file)?;
-        Some((metadata.modified().ok()?, metadata.len(), file.path()))
-    };
-    let mut files: Vec<_> = files.filter_map(of_file).collect();
-    files.sort();
-    let mut bytes: u64 = files.iter().map(|(_, length, _)| length).sum();
-    for (_, length, path) in files {
-        if bytes <= MOST_KEPT {
-            break;
-        }
-        let _ = fs::remove_file(path);
-        bytes -= length;
-    }
 }

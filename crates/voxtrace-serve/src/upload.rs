@@ -18,6 +18,8 @@ use tempfile::{TempDir, TempPath};
 use tokio::io::AsyncWriteExt;
 use voxtrace::import::ImportOptions;
 
+/// How the names of folders begin that uploads are in meanwhile.
+pub const HIDDEN: &str = ".voxtrace-upload-";
 /// Bytes in a second that a client must send, in the mean, once it had some time.
 const SLOWEST: u64 = 16 << 10;
 
@@ -42,7 +44,7 @@ pub async fn take(app: &App, name: &str, replace: bool, body: Body) -> Result<Up
     }
     let _turn = app.uploads.try_acquire().map_err(|_| Refusal::busy("other files are being uploaded"))?;
     // In the folder itself, so that the file is renamed in the end, not copied; hidden meanwhile, and removed whatever happens.
-    let hidden = tempfile::Builder::new().prefix(".voxtrace-upload-").tempdir_in(&folder.path);
+    let hidden = tempfile::Builder::new().prefix(HIDDEN).tempdir_in(&folder.path);
     let hidden = hidden.map_err(|error| cannot_write(&file_name, &error))?;
     // With its own name, which scenes are called by.
     let received = hidden.path().join(&file_name);

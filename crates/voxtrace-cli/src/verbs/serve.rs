@@ -33,7 +33,7 @@ pub struct ServeArgs {
     #[arg(long, value_name = "FOLDER", env = "VOXTRACE_WEB", hide_env_values = true)]
     web: Option<PathBuf>,
     /// Largest file that is taken; 0 takes none
-    #[arg(long, value_name = "BYTES", default_value = "2GB", value_parser = parse::bytes)]
+    #[arg(long, value_name = "BYTES", default_value = "2GB", value_parser = parse::bytes_or_none)]
     max_upload: u64,
     /// Memory for scenes that are kept; reading a larger one is refused
     #[arg(long, value_name = "BYTES", default_value = "2GB", value_parser = parse::bytes)]

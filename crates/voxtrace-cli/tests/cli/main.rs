@@ -26,6 +26,8 @@ mod not_shown;
 mod outputs;
 mod plan;
 mod render;
+#[cfg(feature = "serve")]
+mod serve;
 mod surroundings;
 mod tiles;
 mod verbs;

@@ -2,6 +2,7 @@
 
 mod client;
 mod hostile;
+mod page;
 mod remote;
 mod serving;
 mod uploads;

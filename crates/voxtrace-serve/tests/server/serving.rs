@@ -3,7 +3,9 @@
 use crate::client::{get, get_with};
 use crate::{Running, city, files_below};
 use std::fs;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 use voxtrace::PackedScene;
 
 #[test]
@@ -16,10 +18,34 @@ fn a_folder_is_listed_with_its_scenes_and_nothing_else() {
         names.sort_unstable();
         names
     };
-    // Links are listed, and refused where they lead out.
-    assert!(names("scenes").contains(&"scene.vxt") && names("scenes").contains(&"damaged.vox"));
-    assert!(!names("scenes").contains(&"notes.html"));
-    assert!(names("folders").contains(&"inner") && !names("folders").contains(&".hidden"));
+    // Links that lead out are not listed.
+    assert_eq!(names("scenes"), ["damaged.vox", "scene.vxt"]);
+    assert_eq!(names("folders"), ["inner"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_are_listed_where_they_lead_to_what_is_given() {
+    use std::os::unix::fs::symlink;
+    let running = Running::start(|_| ());
+    let folder = running.folder();
+    fs::write(folder.join("inner/data"), "no scene").unwrap();
+    symlink(folder.join("scene.vxt"), folder.join("inner/link.vxt")).unwrap();
+    symlink("..", folder.join("inner/up")).unwrap();
+    symlink("../..", folder.join("inner/out")).unwrap();
+    symlink("../.hidden/secret.vox", folder.join("inner/shown.vox")).unwrap();
+    symlink("../.hidden", folder.join("inner/shown")).unwrap();
+    symlink("data", folder.join("inner/data.vox")).unwrap();
+    symlink("none.vox", folder.join("inner/dangling.vox")).unwrap();
+    let list: serde_json::Value = serde_json::from_slice(&get(running.address, "/api/list/inner").body).unwrap();
+    for (kind, expected) in [("scenes", vec!["copy of it.vxt", "link.vxt"]), ("folders", vec!["up"])] {
+        let mut names: Vec<&str> =
+            list[kind].as_array().unwrap().iter().map(|entry| entry["name"].as_str().unwrap()).collect();
+        names.sort_unstable();
+        assert_eq!(names, expected);
+    }
+    assert_eq!(get(running.address, "/api/info/inner/link.vxt").status, 200);
+    assert_eq!(get(running.address, "/api/list/inner/up").status, 200);
 }
 
 #[test]
@@ -42,22 +68,113 @@ fn facts_of_a_scene_are_those_of_its_file_and_a_damaged_one_says_why() {
     assert_eq!(get(running.address, "/api/info/damaged.vox").status, 200);
 }
 
+/// The thumbnails that are kept.
+fn pictures(running: &Running) -> Vec<PathBuf> {
+    let mut files = files_below(&running.cache().join("thumbnails"));
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "jpg"));
+    files
+}
+
 #[test]
 fn thumbnails_are_pictures_of_scenes_and_kept_by_what_files_hold() {
     let running = Running::start(|_| ());
     let first = get(running.address, "/api/thumbnail/scene.vxt");
     assert_eq!((first.status, first.header("content-type")), (200, Some("image/jpeg")));
     assert!(first.body.starts_with(&[0xFF, 0xD8]) && first.body.len() > 4000, "{} bytes", first.body.len());
-    let kept = files_below(&running.cache().join("thumbnails"));
+    let kept = pictures(&running);
     assert_eq!(kept.len(), 1);
     // The copy has the same one; another scene has another.
     assert_eq!(get(running.address, "/api/thumbnail/inner/copy%20of%20it.vxt").body, first.body);
-    assert_eq!(files_below(&running.cache().join("thumbnails")), kept);
+    assert_eq!(pictures(&running), kept);
     city(9000).save(&running.folder().join("other.vxt")).unwrap();
     assert_ne!(get(running.address, "/api/thumbnail/other.vxt").body, first.body);
-    assert_eq!(files_below(&running.cache().join("thumbnails")).len(), 2);
+    assert_eq!(pictures(&running).len(), 2);
     let damaged = get(running.address, "/api/thumbnail/damaged.vox");
     assert!(damaged.status == 422 && damaged.text().contains("damaged.vox"), "{}", damaged.text());
+}
+
+/// Writes a mesh of one triangle, and beside it its colour, both at the same time of the clock.
+fn write_triangle(folder: &Path, color: &str) {
+    fs::create_dir_all(folder).unwrap();
+    let mesh = "mtllib colours.mtl\nusemtl it\nv 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n";
+    for (name, text) in [("mesh.obj", mesh), ("colours.mtl", &format!("newmtl it\nKd {color}\n"))] {
+        fs::write(folder.join(name), text).unwrap();
+        let file = fs::File::options().write(true).open(folder.join(name)).unwrap();
+        file.set_modified(SystemTime::UNIX_EPOCH).unwrap();
+    }
+}
+
+#[test]
+fn thumbnails_show_also_what_lies_beside_a_file() {
+    let running = Running::start(|_| ());
+    write_triangle(&running.folder().join("red"), "1 0 0");
+    write_triangle(&running.folder().join("blue"), "0 0 1");
+    let [red, blue] = ["red", "blue"].map(|name| get(running.address, &format!("/api/thumbnail/{name}/mesh.obj")));
+    assert_eq!((red.status, blue.status), (200, 200));
+    assert!(red.body != blue.body, "the files of the same name are the same, those beside them are not");
+    fs::write(running.folder().join("red/colours.mtl"), "newmtl it\nKd 0 1 0\n").unwrap();
+    let green = get(running.address, "/api/thumbnail/red/mesh.obj");
+    assert!(green.body != red.body && green.body != blue.body, "another colour");
+    write_triangle(&running.folder().join("red"), "1 0 0");
+    fs::write(running.folder().join("red/notes.txt"), "none of the scene's").unwrap();
+    assert!(get(running.address, "/api/thumbnail/red/mesh.obj").body == red.body);
+    assert_eq!(pictures(&running).len(), 3, "a picture for each scene");
+}
+
+fn content_hash(running: &Running, name: &str) -> String {
+    let answer = get(running.address, &format!("/api/info/{name}"));
+    assert_eq!(answer.status, 200, "{name}: {}", answer.text());
+    let info: serde_json::Value = serde_json::from_slice(&answer.body).unwrap();
+    info["content_hash"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn scenes_are_read_again_when_files_change_that_lie_beside_theirs() {
+    let running = Running::start(|_| ());
+    let folder = running.folder();
+    write_triangle(&folder, "1 0 0");
+    let red = content_hash(&running, "mesh.obj");
+    assert_eq!(content_hash(&running, "mesh.obj"), red);
+    fs::write(folder.join("colours.mtl"), "newmtl it\nKd 0 0 1\n").unwrap();
+    assert_ne!(content_hash(&running, "mesh.obj"), red);
+    fs::remove_file(folder.join("colours.mtl")).unwrap();
+    let plain = content_hash(&running, "mesh.obj");
+    write_triangle(&folder, "1 0 0");
+    assert!(plain != red && content_hash(&running, "mesh.obj") == red);
+}
+
+#[test]
+fn what_lacked_a_file_is_read_once_it_is_there() {
+    let running = Running::start(|_| ());
+    let folder = running.folder();
+    let header = "NDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = scan.raw\n";
+    fs::write(folder.join("scan.mhd"), header).unwrap();
+    let lacking = get(running.address, "/api/info/scan.mhd");
+    assert!(lacking.status == 422 && lacking.text().contains("scan.raw"), "{}", lacking.text());
+    assert_eq!(get(running.address, "/api/thumbnail/scan.mhd").status, 422);
+    let samples: Vec<u8> = (0..64).map(|at| if at % 4 < 2 { 0 } else { 200 }).collect();
+    fs::write(folder.join("scan.raw"), samples).unwrap();
+    content_hash(&running, "scan.mhd");
+    assert_eq!(get(running.address, "/api/thumbnail/scan.mhd").status, 200);
+}
+
+#[test]
+fn a_folder_of_slices_is_read_again_when_one_of_them_changes() {
+    let running = Running::start(|_| ());
+    let write_slice = |number: u8, first: u8| {
+        let file = fs::File::create(running.folder().join(format!("inner/slice{number}.png"))).unwrap();
+        let mut encoder = png::Encoder::new(file, 4, 4);
+        encoder.set_color(png::ColorType::Grayscale);
+        let samples: Vec<u8> = (0..16).map(|at| if at % 4 < 2 { first } else { 200 }).collect();
+        encoder.write_header().unwrap().write_image_data(&samples).unwrap();
+    };
+    (0..4).for_each(|number| write_slice(number, 0));
+    let before = content_hash(&running, "inner");
+    write_slice(2, 200);
+    let changed = content_hash(&running, "inner");
+    write_slice(4, 0);
+    let longer = content_hash(&running, "inner");
+    assert!(before != changed && changed != longer);
 }
 
 #[test]

@@ -1,0 +1,92 @@
+// Files of two drops, in Node: the page's own script with the few things of a browser that it needs for them. The argument is the page's folder.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+/** What the page does with elements. */
+class Element extends EventTarget {
+  children = [];
+  dataset = {};
+  returnValue = "";
+  open = false;
+  classList = { add() {}, remove() {} };
+  append(...parts) { this.children.push(...parts); }
+  replaceChildren(...parts) { this.children = parts; }
+  setAttribute() {}
+  removeAttribute() {}
+  querySelectorAll() { return []; }
+  get text() { return this.textContent ?? this.children.map((part) => part.text ?? part).join(""); }
+  // Of a dialog that is open already, browsers say nothing.
+  showModal() { this.open = true; }
+  close(value) {
+    this.returnValue = value;
+    this.open = false;
+    this.dispatchEvent(new Event("close"));
+  }
+}
+
+const elements = new Map();
+const element = (id) => elements.get(id) ?? elements.set(id, new Element()).get(id);
+const page = new EventTarget();
+Object.assign(globalThis, {
+  document: { getElementById: element, createElement: () => new Element(), body: new Element() },
+  location: { hash: "" },
+  addEventListener: page.addEventListener.bind(page),
+  IntersectionObserver: class { observe() {} },
+  fetch: async (address) => Response.json(address === "/api/server" ? { folder: "scans", largest_upload: 1000 } : { folders: [], scenes: [] }),
+});
+
+/** Requests, in their order; in the folder there is already what each file would become. */
+const sent = [];
+let underWay = 0;
+globalThis.XMLHttpRequest = class {
+  upload = {};
+  open(method, address) { this.address = address; }
+  send() {
+    sent.push(this.address.replace("/api/upload/", ""));
+    assert.equal(++underWay, 1, "one file at a time");
+    setTimeout(() => {
+      underWay--;
+      const name = this.address.match(/([^/]*)\.vox/)[1];
+      const isThere = !this.address.endsWith("?replace=true") && name !== "new";
+      this.status = isThere ? 409 : 201;
+      this.response = isThere ? { error: `${name}.vxt is there already` } : { name: `${name}.vxt` };
+      // An answer that is not understood.
+      if (name === "odd") [this.status, this.response] = [201, {}];
+      this.onload();
+    }, 5);
+  }
+};
+
+const asks = element("asks");
+const question = () => element("question").text;
+async function until(what, isSo) {
+  for (const end = Date.now() + 10_000; !isSo(); ) {
+    assert.ok(Date.now() < end, what);
+    await new Promise((done) => setTimeout(done, 1));
+  }
+}
+function drop(...names) {
+  const event = Object.assign(new Event("drop"), { dataTransfer: { types: ["Files"], files: names.map((name) => ({ name })) } });
+  page.dispatchEvent(event);
+}
+
+await import(pathToFileURL(join(process.argv[2], "page.js")));
+drop("a.vox");
+location.hash = "#/folder/inner";
+drop("b.vox", "odd.vox", "new.vox");
+await until("a question", () => asks.open);
+// Time for what should not be: another question over this one.
+await new Promise((done) => setTimeout(done, 50));
+assert.match(question(), /^a\.vxt is there/);
+asks.close("skip");
+await until("a question of its own for the other", () => asks.open);
+assert.match(question(), /^b\.vxt is there/);
+asks.close("replace");
+await until("all are sent", () => sent.length === 5 && underWay === 0);
+assert.deepEqual(sent, ["a.vox", "inner/b.vox", "inner/b.vox?replace=true", "inner/odd.vox", "inner/new.vox"]);
+const lines = () => element("uploads").children.map((line) => line.text);
+await until("the last is told of", () => lines()[3] === "new.vox is here as new.vxt");
+assert.equal(lines()[0], "a.vox: a.vxt is there already, and was left.");
+assert.equal(lines()[1], "b.vox is here as b.vxt");
+assert.match(lines()[2], /^odd\.vox: /);
