@@ -10,7 +10,7 @@ import { builtIn, download, fileName } from "./source.js";
 import { Stage } from "./stage.js";
 import { type FromStreamer, Streaming } from "./streaming.js";
 import { build, type Parts, showProgress } from "./template.js";
-import { TracerError } from "./tracer.js";
+import { ClosedError, TracerError } from "./tracer.js";
 
 /** What a pixel of a drag turns by, degrees. */
 const DEGREES_PER_PIXEL = 0.35;
@@ -325,8 +325,12 @@ export class VoxtraceViewer extends Attributes {
   /** Shows a finer scene of the file that is followed, from where one looks. */
   async #refine({ bytes, voxels, hash, detail }: Extract<FromStreamer, { kind: "scene" }>, name: string, signal: AbortSignal) {
     this.#isArriving = true;
-    this.#stage.stop();
     const isFirst = !this.#info;
+    // Those that get the scene of before join until then.
+    if (!isFirst) await this.#pool.joined;
+    if (signal.aborted) return;
+    // Who gets another scene has no part in pictures of the last one.
+    this.#stage.stop();
     // Each worker has a copy: of what is large there are fewer.
     const threads = Math.max(1, Math.min(this.threads, Math.floor((this.maxMemory * 2 ** 20) / bytes.length) - 2));
     const isSame = !isFirst && threads >= this.#pool.size;
@@ -339,8 +343,7 @@ export class VoxtraceViewer extends Attributes {
       this.#emit("load", { url: name, info });
     } else {
       this.#info = info;
-      await this.#findStart();
-      if (signal.aborted) return;
+      if (!(await this.#findStart())) return;
       // Coarse voxels reach farther, and a view of all of the scene with them.
       if (this.#isHome) this.#goHome("none");
       else this.#refresh();
@@ -350,17 +353,21 @@ export class VoxtraceViewer extends Attributes {
 
   async #arrived(info: SceneInfo) {
     this.#info = info;
-    await this.#findStart();
+    if (!(await this.#findStart())) return;
     this.#goHome("none");
     this.#describe();
   }
 
-  /** The scene's own view, for the size that the element has. */
-  async #findStart() {
+  /** The scene's own view, for the size that the element has; false where something else is asked for meanwhile. */
+  async #findStart(): Promise<boolean> {
+    const load = this.#load;
     const [tracer] = this.#pool.ready;
     const { width, height } = this.#size();
     this.#aspect = width / height;
-    this.#start = await tracer?.call("camera", [0, this.#aspect]);
+    const start = await tracer?.call("camera", [0, this.#aspect]);
+    if (this.#load !== load) return false;
+    this.#start = start;
+    return true;
   }
 
   /** The size of pictures: as many pixels as the screen has there, up to the most that are allowed. */
@@ -451,8 +458,8 @@ export class VoxtraceViewer extends Attributes {
   /** A view that shows the whole scene is another in an element of another shape. */
   async #fit() {
     const before = this.#start;
-    await this.#findStart();
-    if (!this.#start || !before || this.#start.every((value, index) => value === before[index])) return;
+    const isFound = await this.#findStart().catch(() => false);
+    if (!isFound || !this.#start || !before || this.#start.every((value, index) => value === before[index])) return;
     if (this.#isOwnView) this.#goHome("none");
   }
 
@@ -555,6 +562,8 @@ export class VoxtraceViewer extends Attributes {
   }
 
   #fail(error: unknown, type: "loadfailure" | "renderfailure") {
+    // Who was ended on purpose did not fail.
+    if (error instanceof ClosedError) return;
     const message = error instanceof Error ? error.message : String(error);
     if (error instanceof TracerError && error.isFatal) this.#pool.end();
     // What is shown of a file whose further parts do not come stays.

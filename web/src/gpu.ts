@@ -4,7 +4,7 @@ import { Device, FILM, ShaderError } from "./gpu-device.js";
 import { RealTimeOnDevice } from "./gpu-real-time.js";
 import { SceneOnDevice } from "./gpu-scene.js";
 import type { PartAnswer, PartRequest } from "./protocol.js";
-import type { Caller, Tracer } from "./tracer.js";
+import { type Caller, ClosedError, type Tracer } from "./tracer.js";
 
 /** Losses of the device within so many milliseconds after which it is left alone. */
 const TWICE = 60_000;
@@ -39,7 +39,7 @@ export class GpuTracer implements Caller {
   /** Whether the last part was traced by the worker. */
   #isResting = false;
 
-  private constructor(private readonly around: Around) {}
+  private constructor(readonly around: Around) {}
 
   /** A tracer on the GPU for the scene of a worker; `undefined` where there is no WebGPU for it. */
   static async of(around: Around): Promise<GpuTracer | undefined> {
@@ -48,7 +48,7 @@ export class GpuTracer implements Caller {
     try {
       if (await tracer.#start()) return tracer;
     } catch (error) {
-      say(`the processor traces, as WebGPU is of no use here: ${(error as Error).message}`);
+      if (!(error instanceof ClosedError)) say(`the processor traces, as WebGPU is of no use here: ${(error as Error).message}`);
     }
     tracer.end();
     return undefined;
@@ -69,6 +69,7 @@ export class GpuTracer implements Caller {
     const arrays = await this.#teller.call("gpuScene", [packed], [packed.buffer as ArrayBuffer]);
     if (!arrays || this.#isOver) return false;
     this.#scene = await SceneOnDevice.of(this.#device, arrays);
+    if (this.#isOver) this.#forget();
     if (this.#scene) this.#realTime = new RealTimeOnDevice(this.#device, this.#scene);
     return !!this.#scene;
   }

@@ -1,7 +1,7 @@
 // The workers of one viewer: one for each core, each with the scene. The first reads or makes it, and can trace at once; the others get it packed.
 import { GpuTracer } from "./gpu.js";
 import type { SceneInfo, Source } from "./protocol.js";
-import { type Caller, startWorker, Tracer, TracerError } from "./tracer.js";
+import { type Caller, ClosedError, startWorker, Tracer, TracerError } from "./tracer.js";
 
 /** The modules: one traces, and reads the simplest formats; `gpu` tells WebGPU what to trace; the others make scenes for it, `stream` of the parts of a file, and are loaded where they are needed. */
 type ModuleName = "voxtrace" | "gpu" | "scenes" | "readers" | "stream";
@@ -46,6 +46,10 @@ export class Pool {
   /** Those that have the scene. */
   ready: Caller[] = [];
   #all: Tracer[] = [];
+  /** Those that left since they failed. */
+  #failed = new Set<Caller>();
+  /** Raised by each end: whoever waits for something meanwhile goes on only where it is the same. */
+  #generation = 0;
   #gpu: GpuTracer | undefined;
   readonly #scripts = new Map<ModuleName, Promise<URL>>();
   readonly #onReady: (tracer: Caller) => void;
@@ -73,8 +77,9 @@ export class Pool {
   /** Loads a scene: ready as soon as the first worker has it, and the GPU where it traces. */
   async load(source: Source, threads: number, tier: Tier): Promise<SceneInfo> {
     this.end();
-    const first = await this.#start("voxtrace");
-    const maker = await this.#makerOf(source, first);
+    const generation = this.#generation;
+    const first = await this.#start("voxtrace", generation);
+    const maker = await this.#makerOf(source, first, generation);
     // What is read stays with who reads it.
     const info = await maker.call("load", [source], source.kind === "file" ? [source.bytes.buffer as ArrayBuffer] : []);
     let packed: Uint8Array | undefined;
@@ -83,22 +88,23 @@ export class Pool {
       this.#leave(maker);
       await hand(packed.slice(), first);
     }
+    this.#check(generation);
     let hasOthers = false;
     const startOthers = () => {
-      if (threads > 1 && !hasOthers) this.#others = this.#startOthers(first, packed, threads - 1);
+      if (threads > 1 && !hasOthers) this.#others = this.#startOthers(first, packed, threads - 1, generation);
       hasOthers = true;
     };
     // Where the package's files come from the page, as in notebooks, the shaders are not among them.
     if (tier !== "cpu" && !this.files) {
       const gpu = await GpuTracer.of({
         beside: first,
-        startTeller: () => this.#start("gpu"),
+        startTeller: () => this.#start("gpu", generation),
         endTeller: (teller) => this.#leave(teller),
         pack: async () => packed?.slice() ?? (await first.call("pack", [])),
         startWorkers: startOthers,
         takesSoftware: tier === "gpu",
       });
-      if (gpu && this.#all.includes(first)) {
+      if (gpu && generation === this.#generation) {
         // One worker beside it is enough, as long as it lasts.
         packed = undefined;
         this.#gpu = gpu;
@@ -107,30 +113,55 @@ export class Pool {
         return info;
       }
       gpu?.end();
+      this.#check(generation);
     }
     this.#join(first);
     startOthers();
     return info;
   }
 
-  /** Gives all workers another scene, packed, in the place of theirs: ready as soon as the first one has it. */
+  /** Settled when those that are getting the scene have it. */
+  get joined(): Promise<void> {
+    return this.#others;
+  }
+
+  /** Gives all workers another scene, packed, in the place of theirs, which all of them have: ready as soon as the first one has it. */
   async replace(packed: Uint8Array): Promise<SceneInfo> {
-    // Those that get the scene of before join until then.
-    await this.#others;
+    const generation = this.#generation;
     this.ready = [];
     const [first, ...others] = this.#all;
-    if (!first) throw new TracerError("the viewer was closed", true);
+    if (!first) throw new ClosedError();
     const info = await hand(others.length > 0 ? packed.slice() : packed, first);
+    this.#check(generation);
     this.#join(first);
     this.#others = (async () => {
       for (const [index, tracer] of others.entries()) {
-        await hand(index === others.length - 1 ? packed : packed.slice(), tracer);
-        this.#join(tracer);
+        if (generation !== this.#generation) return;
+        // As where they start.
+        await this.#give(index === others.length - 1 ? packed : packed.slice(), tracer).catch(() => {});
       }
-    })().catch(() => {
-      // As where they start.
-    });
+    })();
     return info;
+  }
+
+  /** Those that go on with the scene of one that failed, which leaves if it is of no use any more. Where none has the scene, those that are getting it are waited for. */
+  async without(failed: Caller, error: unknown): Promise<Caller[]> {
+    const generation = this.#generation;
+    const known: (Caller | undefined)[] = [...this.#all, this.#gpu, ...this.#failed];
+    if (!known.includes(failed)) return [];
+    if (error instanceof TracerError && error.isFatal) {
+      this.#failed.add(failed);
+      this.ready = this.ready.filter((other) => other !== failed);
+      if (failed instanceof Tracer) this.#leave(failed, error);
+      else if (this.#gpu) {
+        // Where the GPU fails, so did the worker beside it.
+        this.#leave(this.#gpu.around.beside, error);
+        this.#gpu.end();
+        this.#gpu = undefined;
+      }
+    }
+    if (this.ready.length === 0) await this.#others;
+    return generation === this.#generation ? this.ready : [];
   }
 
   /** How many workers there are. */
@@ -139,26 +170,38 @@ export class Pool {
   }
 
   /** Who makes the scene: the first worker itself, or one with the module that can. */
-  async #makerOf(source: Source, first: Tracer): Promise<Tracer> {
-    if (source.kind === "built-in") return this.#start("scenes");
+  async #makerOf(source: Source, first: Tracer, generation: number): Promise<Tracer> {
+    if (source.kind === "built-in") return this.#start("scenes", generation);
     const head = source.bytes.slice(0, 132);
     const format = await first.call("formatOf", [head, source.bytes.length, source.name]);
-    return format ? first : this.#start("readers");
+    return format ? first : this.#start("readers", generation);
   }
 
   end() {
+    this.#generation++;
     for (const tracer of this.#all) tracer.end();
     this.#gpu?.end();
     this.#gpu = undefined;
     this.#all = [];
+    this.#failed.clear();
     this.ready = [];
+    this.#others = Promise.resolve();
   }
 
-  async #start(name: ModuleName): Promise<Tracer> {
+  /** Goes on only where the pool was not ended since. */
+  #check(generation: number) {
+    if (generation !== this.#generation) throw new ClosedError();
+  }
+
+  async #start(name: ModuleName, generation: number): Promise<Tracer> {
     const module = await this.module(name);
+    this.#check(generation);
     const tracer = new Tracer(await this.worker(name));
+    if (generation !== this.#generation) tracer.end();
+    this.#check(generation);
     this.#all.push(tracer);
-    await tracer.call("start", [module]);
+    await this.#orLeave(tracer, tracer.call("start", [module]));
+    this.#check(generation);
     return tracer;
   }
 
@@ -181,21 +224,34 @@ export class Pool {
     return made;
   }
 
-  async #startOthers(first: Tracer, given: Uint8Array | undefined, count: number) {
+  async #startOthers(first: Tracer, given: Uint8Array | undefined, count: number, generation: number) {
     try {
       const packed = given ?? (await first.call("pack", []));
-      for (let left = count; left > 0 && this.#all.includes(first); left--) {
-        const tracer = await this.#start("voxtrace");
-        await hand(left === 1 ? packed : packed.slice(), tracer);
-        this.#join(tracer);
+      for (let left = count; left > 0; left--) {
+        const tracer = await this.#start("voxtrace", generation);
+        await this.#give(left === 1 ? packed : packed.slice(), tracer);
       }
     } catch {
       // Fewer workers, most likely for want of memory, give the same picture later; and a viewer that was closed needs none.
     }
   }
 
-  #leave(tracer: Tracer) {
-    tracer.end();
+  /** Gives a packed scene to one that joins. */
+  async #give(bytes: Uint8Array, tracer: Tracer) {
+    await this.#orLeave(tracer, hand(bytes, tracer));
+    this.#join(tracer);
+  }
+
+  /** Where a worker that is to join cannot do what it is asked for, it leaves. */
+  #orLeave(tracer: Tracer, asked: Promise<unknown>) {
+    return asked.catch((error) => {
+      this.#leave(tracer);
+      throw error;
+    });
+  }
+
+  #leave(tracer: Tracer, error?: TracerError) {
+    tracer.end(error);
     this.#all = this.#all.filter((other) => other !== tracer);
   }
 

@@ -34,6 +34,9 @@ export interface Band {
   isBusy: boolean;
 }
 
+/** Those that there are without one that failed. */
+export type Without = (failed: Caller, error: unknown) => Promise<Caller[]>;
+
 /** What a worker is asked for at a time, milliseconds: it cannot be interrupted. */
 const PATIENCE = 40;
 
@@ -41,16 +44,19 @@ export class Rendering {
   readonly bands: Band[] = [];
   isStopped = false;
   #workers = new Set<Caller>();
+  /** Those that failed take no further part. */
+  #failed = new Set<Caller>();
   #tell: { done: () => void; failed: (error: unknown) => void } | undefined;
   /** Settled when every band has all samples; never where it was stopped before. */
   readonly finished: Promise<void>;
 
-  /** `onBand` is told of each band that has more samples than before. */
+  /** `onBand` is told of each band that has more samples than before; `without` gives those that go on where one failed. */
   constructor(
     readonly picture: Picture,
     public look: Look,
     { rate, workers }: { rate: number; workers: number },
     private readonly onBand: (band: Band, rendering: Rendering) => void,
+    private readonly without: Without,
   ) {
     // So many bands that no worker waits for another.
     const most = Math.ceil(picture.height / (4 * workers));
@@ -67,15 +73,15 @@ export class Rendering {
     return Math.min(...this.bands.map((band) => band.samples));
   }
 
-  /** Lets a worker take part until all is done. */
+  /** Lets a worker take part until all is done, or it fails. */
   async work(tracer: Caller) {
-    if (this.#workers.has(tracer)) return;
+    if (this.#workers.has(tracer) || this.#failed.has(tracer)) return;
     this.#workers.add(tracer);
     try {
       for (let band = this.#next(); band; band = this.#next()) await this.#render(tracer, band);
     } catch (error) {
-      if (!this.isStopped) this.#tell?.failed(error);
-      return;
+      this.#failed.add(tracer);
+      return this.#handOn(tracer, error);
     } finally {
       this.#workers.delete(tracer);
     }
@@ -84,6 +90,14 @@ export class Rendering {
 
   stop() {
     this.isStopped = true;
+  }
+
+  /** Where one failed, others take its band, also those that had nothing left to do; where none is left, all fails. */
+  async #handOn(tracer: Caller, error: unknown) {
+    const others = (await this.without(tracer, error)).filter((other) => !this.#failed.has(other));
+    if (this.isStopped) return;
+    for (const other of others) void this.work(other);
+    if (others.length === 0) this.#tell?.failed(error);
   }
 
   /** The words of the whole film, row by row; none before every pixel has a sample. */

@@ -1,6 +1,6 @@
 // What is on the canvas: real-time light or coarse pictures while the view moves, the exact film while it stands still.
 import type { Pool } from "./pool.js";
-import { type Band, type Look, type Picture, Rendering } from "./rendering.js";
+import { type Band, type Look, type Picture, Rendering, type Without } from "./rendering.js";
 import type { Caller } from "./tracer.js";
 
 /** What a picture of a view that moves may take, milliseconds: of few samples, and in real-time light. */
@@ -55,6 +55,7 @@ export class Stage {
   #wanted: Picture | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #repaints = 0;
+  readonly #without: Without = (failed, error) => this.pool.without(failed, error);
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -149,6 +150,7 @@ export class Stage {
     if (!isLit) return this.#sample(picture, turn);
     while (isLit && !turn.isStopped && !turn.isLast && !this.#next) {
       await new Promise(requestAnimationFrame);
+      if (turn.isStopped) return;
       isLit = await this.#light(picture, turn);
     }
   }
@@ -193,7 +195,7 @@ export class Stage {
     const scale = Math.max(1, Math.min(12, Math.sqrt(pixels / (FRAME * rate * workers))));
     const [width, height] = [picture.width, picture.height].map((length) => Math.max(1, Math.round(length / scale)));
     if (turn.isStopped) return;
-    const rendering = new Rendering({ ...picture, width: width!, height: height!, samples: 1 }, this.look, this.#power, () => {});
+    const rendering = new Rendering({ ...picture, width: width!, height: height!, samples: 1 }, this.look, this.#power, () => {}, this.#without);
     turn.rendering = rendering;
     this.#start(rendering);
     await rendering.finished;
@@ -212,7 +214,7 @@ export class Stage {
     this.#next = undefined;
     this.#under = this.#isLit ? copyOf(this.canvas) : undefined;
     this.#isLit = false;
-    const rendering = new Rendering(picture, this.look, this.#power, (band) => this.#draw(band, rendering));
+    const rendering = new Rendering(picture, this.look, this.#power, (band) => this.#draw(band, rendering), this.#without);
     this.#still = rendering;
     rendering.finished.then(
       () => this.#still === rendering && this.events.still(picture),

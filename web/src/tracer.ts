@@ -16,6 +16,13 @@ export class TracerError extends Error {
   }
 }
 
+/** What becomes of calls to a worker that was ended. */
+export class ClosedError extends TracerError {
+  constructor() {
+    super("the viewer was closed", true);
+  }
+}
+
 /** Whoever answers calls as a worker does. */
 export interface Caller {
   /** Pixels times samples in a millisecond, as measured so far. */
@@ -28,6 +35,8 @@ export class Tracer implements Caller {
   readonly #worker: Worker;
   readonly #waiting = new Map<number, Waiting>();
   #last = 0;
+  /** Why it answers no more. */
+  #over: TracerError | undefined;
   rate = 60;
 
   constructor(worker: Worker) {
@@ -38,10 +47,11 @@ export class Tracer implements Caller {
       if ("error" in data) waiting?.failed(new TracerError(data.error, data.isFatal));
       else waiting?.done(data.made as never);
     };
-    worker.onerror = (event) => this.#fail(event.message || "the script of the worker cannot be loaded");
+    worker.onerror = (event) => this.end(new TracerError(event.message || "the script of the worker cannot be loaded", true));
   }
 
   call<N extends Name>(name: N, given: Parameters<Calls[N]>, transfer: Transferable[] = []): Promise<Made<N>> {
+    if (this.#over) return Promise.reject(this.#over);
     const id = ++this.#last;
     return new Promise<Made<N>>((done, failed) => {
       this.#waiting.set(id, { done: done as Waiting["done"], failed });
@@ -49,14 +59,11 @@ export class Tracer implements Caller {
     });
   }
 
-  /** Ends the worker, whatever it does, and frees its memory. */
-  end() {
+  /** Ends the worker, whatever it does, and frees its memory; calls that wait for it, and all to come, fail with `error`. */
+  end(error: TracerError = new ClosedError()) {
     this.#worker.terminate();
-    this.#fail("the viewer was closed");
-  }
-
-  #fail(message: string) {
-    for (const waiting of this.#waiting.values()) waiting.failed(new TracerError(message, true));
+    this.#over ??= error;
+    for (const waiting of this.#waiting.values()) waiting.failed(error);
     this.#waiting.clear();
   }
 }
