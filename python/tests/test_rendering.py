@@ -186,5 +186,5 @@ def test_open_image_denoise_of_the_extra_takes_noise_away(church):
 
 def test_without_open_image_denoise_one_is_told_how_to_get_it(church, monkeypatch, tmp_path):
     monkeypatch.setenv("VOXTRACE_OIDN", str(tmp_path))
-    with pytest.raises(voxtrace.VoxtraceError, match=r"voxtrace\[denoise\]"):
+    with pytest.raises(voxtrace.VoxtraceError, match="the extra `denoise`"):
         voxtrace.render(church, samples=1, size=(8, 8), device="cpu").denoise(church, "oidn")
