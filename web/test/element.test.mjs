@@ -90,6 +90,11 @@ test("keys turn, move and zoom, and Home shows the first view", async () => {
   const page = await open(SCENE);
   await event(page, "still");
   const start = await orbit(page);
+  await page.evaluate(() => {
+    const status = window.viewer.shadowRoot.querySelector("[role=status]");
+    window.said = [];
+    new MutationObserver(() => window.said.push(status.textContent)).observe(status, { childList: true });
+  });
   await page.keyboard.press("Tab");
   const focused = await page.evaluate(() => window.viewer.shadowRoot.activeElement?.tagName);
   assert.equal(focused, "CANVAS");
@@ -104,10 +109,9 @@ test("keys turn, move and zoom, and Home shows the first view", async () => {
   assert.ok(near((await orbit(page)).radius, start.radius / 1.15, 1e-3 * start.radius));
   await page.keyboard.press("-");
   assert.ok(near((await orbit(page)).radius, start.radius, 1e-3 * start.radius));
-  // People who do not see it are told where they look from.
-  const spoken = () => page.evaluate(() => window.viewer.shadowRoot.querySelector("[role=status]").textContent);
-  await page.waitForFunction(() => window.viewer.shadowRoot.querySelector("[role=status]").textContent.startsWith("View from"));
-  assert.match(await spoken(), /^View from .*, (level|\d+ degrees (above|below))$/);
+  // People who do not see it are told where they look from, and then, or just before, that the picture is finished.
+  const said = await page.waitForFunction(() => window.said.find((text) => text.startsWith("View from")));
+  assert.match(await said.jsonValue(), /^View from .*, (level|\d+ degrees (above|below))$/);
   await page.keyboard.press("Home");
   assert.deepEqual(await orbit(page), start);
   await page.evaluate(() => (window.viewer.cameraControls = false));
