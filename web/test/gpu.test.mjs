@@ -94,6 +94,8 @@ test("a part of the scene is shown by the workers, the whole by the GPU again", 
 test("a device that is lost is made again, and after a second loss the processor goes on with the same film", async (t) => {
   if (skipsWebGpu(t)) return;
   run("convert", "city", join(context.files, "lost.vox"), "--voxels", "20k");
+  // So that there is a device before.
+  await filmOfScene("scene:city?voxels=10k");
   await page.evaluate(() => {
     window.events.length = 0;
     window.viewer.samples = 64;
