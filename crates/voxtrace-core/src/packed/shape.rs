@@ -39,9 +39,6 @@ enum Detail {
     Boxes,
 }
 
-/// A box of voxels, its upper corner exclusive.
-type Cell = (IVec3, IVec3);
-
 impl PackedScene {
     /// World-space points, none where nothing is there. No voxel reaches beyond the smallest box of any direction around them.
     pub(crate) fn shape_points(&self) -> Vec<Vec3> {
@@ -58,57 +55,82 @@ impl PackedScene {
             count if count <= MOST_FOR_OUTERMOST => Detail::Outermost,
             _ => Detail::Boxes,
         };
-        let mut cells: Vec<Vec<Cell>> = Vec::new();
+        let mut corners: Vec<Vec<IVec3>> = Vec::new();
         for shift in (0..).step_by(2) {
-            cells = (bricks.iter().enumerate()).map(|(grid, bricks)| self.cells(grid, bricks, shift, detail)).collect();
-            let counts: Vec<u64> = cells.iter().map(|cells| cells.len() as u64).collect();
-            if detail != Detail::Boxes || placed(&counts) <= MOST_CELLS || cells.iter().all(|cells| cells.len() <= 1) {
+            corners =
+                (bricks.iter().enumerate()).map(|(grid, bricks)| self.corners(grid, bricks, shift, detail)).collect();
+            let counts: Vec<u64> = corners.iter().map(|corners| corners.len() as u64 / 8).collect();
+            if detail != Detail::Boxes || placed(&counts) <= MOST_CELLS || counts.iter().all(|&count| count <= 1) {
                 break;
             }
         }
-        let corners = |instance: &super::PackedInstance| {
+        let placed = |instance: &super::PackedInstance| {
             let placed = instance.world_from_grid;
-            cells[instance.grid as usize].iter().flat_map(move |&(min, max)| {
-                (0..8).map(move |corner| {
-                    let pick = IVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);
-                    placed.point((min + (max - min) * pick).as_vec3())
-                })
-            })
+            corners[instance.grid as usize].iter().map(move |corner| placed.point(corner.as_vec3()))
         };
-        instances.par_iter().flat_map_iter(corners).collect()
+        instances.par_iter().flat_map_iter(placed).collect()
     }
 
-    /// Boxes around all voxels of a grid: of each brick as `detail` says, or what of the grid is in cells of 2^`shift` bricks.
-    fn cells(&self, grid: usize, bricks: &[IVec3], shift: i32, detail: Detail) -> Vec<Cell> {
+    /// Corners of what of a grid is looked at, in its space: of each brick as `detail` says, or of boxes around what is in cells of 2^`shift` bricks.
+    fn corners(&self, grid: usize, bricks: &[IVec3], shift: i32, detail: Detail) -> Vec<IVec3> {
         let packed = &self.grids()[grid];
         if shift > 0 {
             let cells: FxHashSet<IVec3> = bricks.iter().map(|at| *at >> shift).collect();
             let edge = BRICK_SIZE << shift;
-            let cell = |at: IVec3| {
+            let of_cell = |at: IVec3| {
                 let low = packed.origin + at * edge;
-                (low.max(packed.min), (low + edge).min(packed.max))
+                corners_of_box(low.max(packed.min), (low + edge).min(packed.max))
             };
-            return cells.into_iter().map(cell).collect();
+            return cells.into_iter().flat_map(of_cell).collect();
         }
         let of_brick = |at: &IVec3| {
-            let corner = packed.origin + *at * BRICK_SIZE;
-            let Some(record) = self.geometry().find_brick(packed, corner) else { return Vec::new() };
+            let origin = packed.origin + *at * BRICK_SIZE;
+            let Some(record) = self.geometry().find_brick(packed, origin) else { return Vec::new() };
             let brick = occupancy(self.geometry(), record);
             let (min, max) = brick.extent();
             let is_box = (max - min).element_product() as usize == brick.count();
             if is_box || detail == Detail::Boxes {
-                return vec![(corner + min, corner + max)];
+                return corners_of_box(origin + min, origin + max).to_vec();
             }
-            let voxels: Vec<IVec3> = brick.voxels().map(|(local, _)| corner + local).collect();
-            let outermost = |direction: &IVec3| voxels.iter().copied().max_by_key(|voxel| voxel.dot(*direction));
-            let voxels = match detail {
-                Detail::Outermost => DIRECTIONS.iter().filter_map(outermost).collect(),
-                _ => voxels,
-            };
-            voxels.into_iter().map(|voxel| (voxel, voxel + 1)).collect()
+            let voxels: Vec<IVec3> = brick.voxels().map(|(local, _)| local).collect();
+            let voxels = if detail == Detail::Outermost { outermost(&voxels) } else { voxels };
+            corners_of_voxels(&voxels).map(|corner| origin + corner).collect()
         };
         bricks.par_iter().flat_map_iter(of_brick).collect()
     }
+}
+
+/// From a low corner and one beyond the highest voxel.
+fn corners_of_box(min: IVec3, max: IVec3) -> [IVec3; 8] {
+    std::array::from_fn(|corner| min + (max - min) * corner_of_cube(corner))
+}
+
+fn corner_of_cube(corner: usize) -> IVec3 {
+    IVec3::new((corner & 1) as i32, (corner >> 1 & 1) as i32, (corner >> 2) as i32)
+}
+
+/// Those of the voxels of a brick that are the outermost ones in some direction.
+fn outermost(voxels: &[IVec3]) -> Vec<IVec3> {
+    let mut found = Vec::with_capacity(DIRECTIONS.len());
+    for direction in DIRECTIONS {
+        let voxel = voxels.iter().copied().max_by_key(|voxel| voxel.dot(direction));
+        found.extend(voxel.filter(|voxel| !found.contains(voxel)));
+    }
+    found
+}
+
+/// Corners of voxels of a brick, none twice, given each voxel once. Those between eight voxels are left out: some voxel reaches further in each direction.
+fn corners_of_voxels(voxels: &[IVec3]) -> impl Iterator<Item = IVec3> {
+    const EDGE: usize = BRICK_SIZE as usize + 1;
+    let mut sharing = [0u8; EDGE * EDGE * EDGE];
+    for voxel in voxels {
+        for corner in 0..8 {
+            let at = (*voxel + corner_of_cube(corner)).as_uvec3();
+            sharing[at.x as usize + EDGE * (at.y as usize + EDGE * at.z as usize)] += 1;
+        }
+    }
+    let place = |at: usize| IVec3::new((at % EDGE) as i32, (at / EDGE % EDGE) as i32, (at / (EDGE * EDGE)) as i32);
+    sharing.into_iter().enumerate().filter(|(_, count)| (1..8).contains(count)).map(move |(at, _)| place(at))
 }
 
 /// The voxels of the brick with a record at word `record`, all of one material.
