@@ -39,13 +39,16 @@ impl Content {
 impl Loaded {
     /// A scene of what a reader has given.
     pub(super) fn of(data: Data, path: &Path, options: &ImportOptions) -> Result<Self, ImportError> {
-        let notes = data.notes().to_vec();
+        let mut notes = data.notes().to_vec();
         let scene = match data {
             Data::Packed(packed) => return Ok(Self { content: Content::Packed(packed), notes }),
             Data::Voxels(voxels) => voxels.scene,
-            Data::Geometry(geometry) => geometry
-                .voxelize(&options.voxelize, &options.limits, &VoxelizeProgress::default())
-                .map_err(|error| error.into_import_error(path))?,
+            Data::Geometry(geometry) => {
+                let progress = VoxelizeProgress::default();
+                let scene = geometry.voxelize(&options.voxelize, &options.limits, &progress);
+                notes.extend(progress.take_notes());
+                scene.map_err(|error| error.into_import_error(path))?
+            }
             Data::Volume(volume) => volume::voxelize(&volume, &options.volume, &options.limits)
                 .map_err(|error| error.into_import_error(path))?,
         };

@@ -25,6 +25,8 @@ pub(super) struct Span {
 /// The interior voxels of a column of tiles.
 pub(super) struct Column {
     spans: Vec<Vec<Span>>,
+    /// Lines that meet an open surface.
+    pub open_lines: u64,
 }
 
 impl Column {
@@ -40,7 +42,8 @@ impl Column {
                 crossings[((line[1] - y) * TILE + line[0] - x) as usize].push((depth, projected.facing, index));
             });
         }
-        Self { spans: crossings.into_iter().map(spans_of).collect() }
+        let open_lines = crossings.iter().filter(|crossings| is_open(crossings)).count() as u64;
+        Self { spans: crossings.into_iter().map(spans_of).collect(), open_lines }
     }
 
     /// Lowest and one past the highest interior voxel.
@@ -62,10 +65,15 @@ impl Column {
     }
 }
 
+/// Whether a line goes into a surface and not out of it, or the other way round.
+fn is_open(crossings: &[(f64, i32, usize)]) -> bool {
+    crossings.iter().map(|crossing| crossing.1).sum::<i32>() != 0
+}
+
 /// The spans between the crossings of a line. A crossing is the depth, +1 where the surface faces up and −1 where it faces down,
 /// and the triangle.
 fn spans_of(mut crossings: Vec<(f64, i32, usize)>) -> Vec<Span> {
-    if crossings.iter().map(|crossing| crossing.1).sum::<i32>() != 0 {
+    if is_open(&crossings) {
         return Vec::new();
     }
     crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));

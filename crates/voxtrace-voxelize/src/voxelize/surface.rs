@@ -20,6 +20,7 @@ use crate::mesh::Mesh;
 use glam::IVec3;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Voxelizes all tiles of a mesh into the spill buffer.
 pub(super) fn run(
@@ -98,6 +99,7 @@ fn run_columns(
         let tile = place(pair);
         (tile.y, tile.x, tile.z, *pair as u32)
     });
+    let open_lines = AtomicU64::new(0);
     let columns: Vec<&[u64]> = pairs.chunk_by(|a, b| place(a).truncate() == place(b).truncate()).collect();
     for (number, batch) in columns.chunks(BATCH).enumerate() {
         let step = Step { part: 0, batch: number as u32 };
@@ -111,6 +113,7 @@ fn run_columns(
             triangles.dedup();
             let first = place(&pairs[0]);
             let column = Column::of(job.mesh, job.placement, first, &triangles);
+            open_lines.fetch_add(column.open_lines, Relaxed);
             let (low, high) = column
                 .extent()
                 .map_or((first.z, first.z), |(low, high)| (low.div_euclid(TILE), (high - 1).div_euclid(TILE)));
@@ -128,6 +131,12 @@ fn run_columns(
         spill.push(step, records.into_iter().flatten().collect())?;
         check_limits(spill, limits, progress)?;
         progress.add(batch.iter().map(|pairs| pairs.len() as u64).sum());
+    }
+    let open_lines = open_lines.into_inner();
+    if open_lines > 0 {
+        progress.note(format!(
+            "{open_lines} upright lines of voxels meet a surface that is not closed: they are not filled"
+        ));
     }
     Ok(())
 }

@@ -197,6 +197,42 @@ fn one_page_is_a_heightmap_and_several_are_slices() {
 }
 
 #[test]
+fn overviews_and_masks_behind_a_page_are_no_slices() {
+    // A page of 4 x 3 pixels, then half of it as a coarser one, then which of its pixels count.
+    let mut out = std::io::Cursor::new(Vec::new());
+    let mut encoder = tiff::encoder::TiffEncoder::new(&mut out).unwrap();
+    for (kind, [width, height]) in [(0u32, [4, 3]), (1, [2, 1]), (4, [4, 3])] {
+        let mut page = encoder.new_image::<tiff::encoder::colortype::Gray32Float>(width, height).unwrap();
+        page.encoder().write_tag(tiff::tags::Tag::NewSubfileType, kind).unwrap();
+        let heights: Vec<f32> = HEIGHTS.iter().take((width * height) as usize).map(|&h| h.into()).collect();
+        page.write_data(&heights).unwrap();
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.tif");
+    fs::write(&path, out.into_inner()).unwrap();
+    let Data::Voxels(found) = import::read(&path, &ImportOptions::default()).unwrap() else {
+        panic!("a heightmap is read as a volume");
+    };
+    let bounds = found.scene.grids[0].bounds().unwrap();
+    assert_eq!(([bounds.max.x, bounds.max.y], found.notes), ([4, 3], Vec::<String>::new()));
+}
+
+#[test]
+fn a_grid_has_holes_where_nobody_says_how_they_are_marked_and_cells_that_are_no_squares() {
+    let text = "ncols 2\nnrows 2\nxllcorner 100\nyllcorner 200\ndx 2\ndy 8\n5 -9999\n5 6\n";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.asc");
+    fs::write(&path, text).unwrap();
+    let Data::Voxels(found) = import::read(&path, &ImportOptions::default()).unwrap() else { panic!() };
+    assert_eq!(found.scene.voxel_size, 4.0);
+    assert!(found.notes[0].contains("cells of 2 by 8 are taken for squares"), "{:?}", found.notes);
+    assert!((0..9).all(|z| found.scene.grids[0].get([1, 1, z].into()).is_none()));
+    let place = found.scene.georeference.unwrap().coordinates_from_world;
+    let corner = place.transform_point3(DVec3::new(2.0, 2.0, 0.0));
+    assert_eq!([corner.x, corner.y], [104.0, 216.0]);
+}
+
+#[test]
 fn damage_is_an_error_or_another_map_and_never_a_panic() {
     let numbers = [0, 1, 0x7fff_ffff, u32::MAX, f32::NAN.to_bits(), f32::INFINITY.to_bits()];
     let texts = ["nan", "inf", "-1", "1e400", "1e38", "99999999999", " ", "\n", "0", "-9999", "D+99"];

@@ -51,6 +51,10 @@ fn png(z: usize) -> Vec<u8> {
 
 /// Pages of a TIFF, as ImageJ describes them.
 fn tiff(pages: std::ops::Range<usize>) -> Vec<u8> {
+    described_tiff(pages, "ImageJ=1.53t\nimages=12\nspacing=2.5\nunit=mm\n")
+}
+
+fn described_tiff(pages: std::ops::Range<usize>, description: &str) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
     let mut encoder = tiff::encoder::TiffEncoder::new(&mut out).unwrap();
     for z in pages {
@@ -58,7 +62,7 @@ fn tiff(pages: std::ops::Range<usize>) -> Vec<u8> {
         let mut page = encoder.new_image::<tiff::encoder::colortype::Gray16>(SIZE[0] as u32, SIZE[1] as u32).unwrap();
         if z == 0 {
             let tag = tiff::tags::Tag::ImageDescription;
-            page.encoder().write_tag(tag, "ImageJ=1.53t\nimages=12\nspacing=2.5\nunit=mm\n").unwrap();
+            page.encoder().write_tag(tag, description).unwrap();
             page.x_resolution(tiff::encoder::Rational { n: 2, d: 1 });
             page.y_resolution(tiff::encoder::Rational { n: 4, d: 1 });
         }
@@ -152,6 +156,23 @@ fn pages_of_a_tiff_are_slices_with_the_spacing_that_is_written_there() {
     for length in 0..bytes.len() {
         assert!(import::volume_from_bytes(&bytes[..length], Path::new("a.tif"), &ImportOptions::default()).is_err());
     }
+}
+
+#[test]
+fn pages_that_do_not_say_how_far_apart_they_are_keep_the_lengths_of_pixels() {
+    let read = |description: &str| {
+        let bytes = described_tiff(0..SIZE[2], description);
+        import::volume_from_bytes(&bytes, Path::new("a.tif"), &ImportOptions::default()).unwrap()
+    };
+    // ImageJ leaves out a distance of one unit.
+    let volume = read("ImageJ=1.53t\nimages=12\nslices=12\nunit=mm\n");
+    assert_eq!((volume.spacing(), volume.unit), (DVec3::new(0.5, 0.25, 1.0), Unit::Millimetre));
+    assert!(volume.notes.is_empty(), "{:?}", volume.notes);
+    let pixels = r#"<Pixels DimensionOrder="XYZCT" SizeX="7" SizeY="5" SizeZ="12" SizeC="1" SizeT="1""#;
+    let sizes = r#"PhysicalSizeX="0.5" PhysicalSizeXUnit="mm" PhysicalSizeY="0.25" PhysicalSizeYUnit="mm""#;
+    let volume = read(&format!("<OME xmlns=\"x\"><Image ID=\"a\">{pixels} {sizes}></Pixels></Image></OME>"));
+    assert_eq!((volume.spacing(), volume.unit), (DVec3::new(0.5, 0.25, 0.5), Unit::Millimetre));
+    assert!(volume.notes[0].contains("the distance of slices is not said"), "{:?}", volume.notes);
 }
 
 #[test]

@@ -133,6 +133,16 @@ fn slices_that_are_cut_short_are_left_out_of_their_series_but_not_the_one_that_w
 }
 
 #[test]
+fn groups_of_frames_of_stated_lengths_say_where_frames_lie_also_without_kinds_of_values() {
+    let read =
+        |kind| import::volume_from_bytes(&dicom::file(kind), Path::new("a.dcm"), &ImportOptions::default()).unwrap();
+    let (stated, open) = (read(dicom::Kind::Lengths), read(dicom::Kind::Groups));
+    assert!((stated.world_from_index.matrix3.z_axis - DVec3::Z * SPACING[2]).length() < 1e-9);
+    assert_eq!((&stated.values, &stated.notes), (&open.values, &open.notes));
+    assert_eq!(stated.world_from_index, open.world_from_index);
+}
+
+#[test]
 fn an_instance_without_a_picture_is_not_called_damaged() {
     let mut bytes = dicom::slice("1.2.3", 4, 0);
     // Rows: (0028,0010) becomes another element.

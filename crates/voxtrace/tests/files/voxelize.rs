@@ -9,6 +9,7 @@ use voxtrace::import::Limits;
 use voxtrace::mesh::Mesh;
 use voxtrace::voxelize::{
     Scale, SurfaceRule, VoxelizeError, VoxelizeOptions, VoxelizeProgress, estimate, voxelize, voxelize_to_file,
+    voxelize_with_progress,
 };
 use voxtrace::{PackedScene, Scene};
 
@@ -171,6 +172,24 @@ fn a_filled_sphere_holds_exactly_the_voxels_inside_and_on_it() {
     let mut bowl = mesh;
     bowl.triangles.truncate(bowl.triangles.len() / 2);
     assert_eq!(voxels_of(&filled(&bowl, SurfaceRule::Thin)), voxels_of(&scene_of(&bowl, SurfaceRule::Thin)));
+}
+
+#[test]
+fn surfaces_that_are_open_are_told_where_they_are_to_be_filled() {
+    let notes = |mesh: &Mesh| {
+        let progress = VoxelizeProgress::default();
+        let options = VoxelizeOptions { fill: true, ..options(Scale::VoxelSize(1.0)) };
+        voxelize_with_progress(mesh, &options, &Limits::default(), &progress).unwrap();
+        progress.take_notes()
+    };
+    let mut mesh = cuboid(Vec3::ZERO, Vec3::splat(4.0), Mat3::IDENTITY);
+    assert_eq!(notes(&mesh), [""; 0]);
+    // One half of a face is gone that lies across the upright lines.
+    let corner = |mesh: &Mesh, corner: u32| mesh.positions[corner as usize].z;
+    let flat = mesh.triangles.iter().position(|corners| corners.iter().all(|&own| corner(&mesh, own) == 4.0));
+    mesh.triangles.remove(flat.unwrap());
+    let told = notes(&mesh);
+    assert!(told.len() == 1 && told[0].contains("meet a surface that is not closed"), "{told:?}");
 }
 
 #[test]

@@ -80,7 +80,9 @@ impl Hyperstack {
         let rest = count("images").unwrap_or(1) / channels.unwrap_or(1).saturating_mul(frames.unwrap_or(1)).max(1);
         let sizes = [channels.unwrap_or(1), slices.unwrap_or(rest.max(1)), frames.unwrap_or(1)];
         let factor = word("unit").and_then(millimetres);
-        let distance = word("spacing").and_then(|text| text.parse::<f64>().ok()).map(f64::abs);
+        // ImageJ does not write a distance of one unit.
+        let one = (word("unit").is_some() && sizes[1] > 1).then_some(1.0);
+        let distance = word("spacing").and_then(|text| text.parse::<f64>().ok()).map(f64::abs).or(one);
         let distance = distance.map(|distance| distance * factor.unwrap_or(1.0));
         Self { sizes, spacing: [None, None, distance], has_unit: factor.is_some(), ..Self::default() }
     }
@@ -129,12 +131,6 @@ impl Hyperstack {
             Pages::Order(order) => nth(self.sizes, *order, page),
             Pages::Listed(pages) => *pages.get(page)?,
         }
-    }
-
-    /// Between pixels and slices, where all of it is said.
-    pub fn distances(&self) -> Option<[f64; 3]> {
-        let [x, y, z] = self.spacing;
-        Some([x?, y?, z?])
     }
 
     /// Whether all pages are slices.
@@ -252,6 +248,10 @@ mod tests {
             [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 1], [1, 2, 1]]
         );
         assert_eq!(stack.place(12), None);
+        let text = "ImageJ=1.53t\nimages=3\nslices=3\nunit=mm\n";
+        let mut silent = Hyperstack::of(text).unwrap();
+        silent.set_pixels(text, [0.25, 0.25]);
+        assert_eq!(silent.spacing, [Some(0.25), Some(0.25), Some(1.0)]);
         let plain = Hyperstack::of("ImageJ=1.11a\nimages=10\nslices=10\n").unwrap();
         assert_eq!((plain.sizes, plain.has_unit), ([1, 10, 1], false));
         assert_eq!(Hyperstack::of("ImageJ=1.11a\nimages=7\n").unwrap().sizes, [1, 7, 1]);

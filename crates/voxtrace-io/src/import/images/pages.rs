@@ -4,7 +4,7 @@ use super::allowance::{self, Packing};
 use super::contiguous::Contiguous;
 use super::hyperstack::Hyperstack;
 use super::page::{bits_of, decoder_limits, plane};
-use super::planes::{Choice, Plane, Wanted, stack, tiff_spacing};
+use super::planes::{Choice, Plane, Wanted, is_about_another, stack, tiff_spacing};
 use super::unpacked::Unpacked;
 use crate::import::source::guard::guarded;
 use crate::import::source::opened;
@@ -76,7 +76,10 @@ impl Pages {
         loop {
             let place = stack.as_ref().and_then(|stack| stack.place(page));
             let is_wanted = wanted.as_ref().is_none_or(|wanted| place.is_some_and(|place| wanted.has(place)));
-            if is_wanted && decoder.dimensions()? == (width, height) {
+            let is_like_first = decoder.dimensions()? == (width, height);
+            if page > 0 && is_about_another(&mut decoder, is_like_first) {
+                // An overview or a mask.
+            } else if is_wanted && is_like_first {
                 pages.push((place.filter(|_| wanted.is_some()).map_or(0, |place| place[1]), page));
             } else if is_wanted {
                 left_out += 1;

@@ -194,7 +194,9 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refu
             .first()
             .is_none_or(|first| (first.width as u64, first.height as u64) == (width.into(), height.into()));
         let place = found.stack.as_ref().and_then(|stack| stack.place(page));
-        if wanted.as_ref().is_some_and(|wanted| !place.is_some_and(|place| wanted.has(place))) {
+        if page > 0 && is_about_another(&mut decoder, is_like_first) {
+            // An overview or a mask.
+        } else if wanted.as_ref().is_some_and(|wanted| !place.is_some_and(|place| wanted.has(place))) {
             // Another time point or channel.
         } else if is_like_first {
             found.places.extend(place);
@@ -224,6 +226,15 @@ fn tiff(bytes: &[u8], choice: Choice, limits: &Limits, refused: &mut Option<Refu
         }
         decoder.next_image()?;
     }
+}
+
+/// Whether a page behind the first is no picture of its own (TIFF 6.0, `NewSubfileType`): another one in a coarser resolution, as cloud-optimized
+/// GeoTIFFs have them, or which of its pixels count.
+pub(super) fn is_about_another<R: Read + Seek>(decoder: &mut Decoder<R>, is_like_first: bool) -> bool {
+    const COARSER: u32 = 1;
+    const MASK: u32 = 4;
+    let kind = decoder.get_tag_u32(Tag::NewSubfileType).unwrap_or(0);
+    kind & MASK != 0 || kind & COARSER != 0 && !is_like_first
 }
 
 /// What is wrong with a page.

@@ -231,6 +231,8 @@ impl Header {
         }
         let size_along = |n: usize| {
             let size = if n as i64 <= dimensions { dimension(n) } else { 1 };
+            // Axes behind the third that are announced and then left empty are none (nifti1_io).
+            let size = if n > 3 && size == 0 { 1 } else { size };
             u64::try_from(size).ok().filter(|&size| size > 0).ok_or_else(|| {
                 let at = pick(40 + 2 * n, 16 + 8 * n) as u64;
                 ImportError::malformed(path, at, format!("a volume with {size} samples along an axis"))

@@ -1,6 +1,7 @@
 //! Points as text, one a line: `.xyz`, `.csv`, `.pts`, `.txt`, `.asc`. Columns are told by a line of names where there is one, else
 //! by their number; commas, semicolons, tabs and spaces part them. Numbers with decimal commas are told by what parts them.
 
+use super::whole_intensities;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::reader::{FileClues, Geometry, Kind, Reader, Recognition};
 use crate::import::source::input::Input;
@@ -75,6 +76,7 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     let mut local_origin = LocalOrigin::default();
     let mut columns = None;
     let mut colors: Vec<[f32; 3]> = Vec::new();
+    let mut intensities: Vec<f32> = Vec::new();
     let (mut row, mut left_out) = (Vec::with_capacity(COLUMNS), 0u64);
     let mut is_fraction = true;
     loop {
@@ -94,7 +96,12 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
             } else if comment.is_some() {
                 continue;
             }
-            return Err(ImportError::malformed(path, start, "a line that is not numbers"));
+            let what = if columns.is_none() && cloud.positions.is_empty() {
+                "a first line that is neither numbers nor names of columns with x, y and z among them"
+            } else {
+                "a line that is not numbers"
+            };
+            return Err(ImportError::malformed(path, start, what));
         }
         // Some programs say first how many points follow.
         if row.len() == 1 && cloud.positions.is_empty() {
@@ -121,7 +128,7 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
             colors.push(color);
         }
         if let Some(column) = columns.intensity {
-            cloud.intensities.push(row[column].clamp(0.0, 65_535.0).round() as u16);
+            intensities.push(row[column] as f32);
         }
         if let Some(column) = columns.class {
             cloud.classes.push(row[column].clamp(0.0, 255.0).round() as u8);
@@ -134,6 +141,7 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
         cloud.notes.push(format!("{left_out} points that are not finite are left out"));
     }
     cloud.colors = bytes_of(&colors, is_fraction);
+    cloud.intensities = whole_intensities(&intensities);
     if cloud.intensities.iter().all(|&value| value == 0) {
         cloud.intensities = Vec::new();
     }
@@ -265,6 +273,13 @@ mod tests {
     }
 
     #[test]
+    fn intensities_may_be_shares_of_one_or_below_zero() {
+        assert_eq!(cloud("a.csv", "x,y,z,intensity\n1,2,3,0.1\n1,2,4,0.4\n").intensities, [6554, 26_214]);
+        let signed = cloud("a.pts", "2\n1 2 3 -2048 9 9 9\n1 2 4 2047 9 9 9\n");
+        assert_eq!(signed.intensities, [0, 65_535]);
+    }
+
+    #[test]
     fn decimal_commas_are_told_by_what_parts_numbers() {
         for text in
             ["691000,25;-2,5;3;7\n", "691000,25 -2,5\t3 7\n", "691000.25,-2.5,3,7\n", "x;y;z;i\n691000,25;-2,5;3;7\n"]
@@ -315,6 +330,8 @@ mod tests {
             let error = read(Input::of_bytes(text.as_bytes(), Path::new("a.xyz"), &limits).unwrap(), &limits);
             assert_eq!(error.unwrap_err().offset, Some(at), "{text:?}");
         }
+        let unnamed = read(Input::of_bytes(b"lon,lat,alt\n1,2,3\n", Path::new("a.csv"), &limits).unwrap(), &limits);
+        assert!(unnamed.unwrap_err().to_string().contains("names of columns with x, y and z among them"));
         assert_eq!(cloud("a.xyz", "1 2 nan\n1 2 3\n").notes.len(), 1);
     }
 }

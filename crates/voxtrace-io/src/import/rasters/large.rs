@@ -22,21 +22,16 @@ pub(super) fn open(source: Source, options: &ImportOptions) -> Result<Option<Box
     let choice = Choice { channel: options.channel, time: options.time };
     let Some(mut pages) = Pages::open(path, choice, &options.limits)? else { return Ok(None) };
     let [width, height] = pages.size;
-    let (spacing, has_unit) = match &pages.stack {
-        Some(stack) => (stack.distances().or(pages.spacing), stack.has_unit),
-        None => (pages.spacing, false),
-    };
     let layers = pages.contiguous.as_ref().map_or(pages.pages.len(), |contiguous| contiguous.layout.size[2]);
     let mut frame = Volume { size: [width, height, layers], ..Volume::new([1; 3], Vec::new()) };
-    match pages.stack.as_ref().filter(|stack| !stack.is_plain()) {
-        Some(hyperstack) => {
-            let times = entry(options.time, hyperstack.sizes[2], "time point", "--time");
-            let malformed = |what: String| ImportError::malformed(path, 0, what);
-            frame.notes.extend(times.map_err(malformed)?.1);
-            slices::finish(&mut frame, pages.left_out, None, false);
-            stack::place_of(&mut frame, hyperstack);
-        }
-        None => slices::finish(&mut frame, pages.left_out, spacing, has_unit),
+    if let Some(hyperstack) = pages.stack.as_ref().filter(|stack| !stack.is_plain()) {
+        let times = entry(options.time, hyperstack.sizes[2], "time point", "--time");
+        let malformed = |what: String| ImportError::malformed(path, 0, what);
+        frame.notes.extend(times.map_err(malformed)?.1);
+    }
+    slices::finish(&mut frame, pages.left_out, pages.spacing);
+    if let Some(stack) = &pages.stack {
+        stack::place_of(&mut frame, stack);
     }
     if let Some(contiguous) = pages.contiguous {
         let (mut input, _) = source.into_input()?;

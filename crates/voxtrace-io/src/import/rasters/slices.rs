@@ -13,7 +13,6 @@ use crate::import::source::listing;
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
-use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -41,7 +40,7 @@ const BATCH: usize = 64;
 fn read(input: Input, options: &ImportOptions) -> Result<Data, ImportError> {
     let (path, limits) = (input.path(), &options.limits);
     let choice = Choice { channel: options.channel, time: options.time };
-    let found = planes::read(&input.rest()?, path, choice, limits)?;
+    let mut found = planes::read(&input.rest()?, path, choice, limits)?;
     if found.stack.as_ref().is_some_and(|stack| !stack.is_plain()) {
         return Ok(stack::volume(path, found, choice, limits)?.into());
     }
@@ -52,12 +51,13 @@ fn read(input: Input, options: &ImportOptions) -> Result<Data, ImportError> {
     }
     let mut slices = Slices::new(limits);
     slices.spacing = found.spacing;
-    if let Some(stack) = &found.stack {
-        slices.spacing = stack.distances().or(slices.spacing);
-        slices.has_unit = stack.has_unit;
-    }
+    let stack = found.stack.take();
     slices.add(path, found)?;
-    Ok(slices.finish(path)?.into())
+    let mut volume = slices.finish(path)?;
+    if let Some(stack) = stack {
+        stack::place_of(&mut volume, &stack);
+    }
+    Ok(volume.into())
 }
 
 /// Reads the pictures of a folder.
@@ -88,23 +88,13 @@ struct Slices<'a> {
     /// Colours of the samples so far, none where all were grey.
     colors: Vec<[u8; 3]>,
     left_out: usize,
+    /// In no unit.
     spacing: Option<[f64; 3]>,
-    /// Whether that is in millimetres.
-    has_unit: bool,
 }
 
 impl<'a> Slices<'a> {
     fn new(limits: &'a Limits) -> Self {
-        Self {
-            limits,
-            size: None,
-            count: 0,
-            values: Vec::new(),
-            colors: Vec::new(),
-            left_out: 0,
-            spacing: None,
-            has_unit: false,
-        }
+        Self { limits, size: None, count: 0, values: Vec::new(), colors: Vec::new(), left_out: 0, spacing: None }
     }
 
     fn add(&mut self, path: &Path, found: Planes) -> Result<(), ImportError> {
@@ -136,19 +126,18 @@ impl<'a> Slices<'a> {
         };
         let mut volume = Volume::new([width, height, self.count], self.values);
         volume.colors = self.colors;
-        finish(&mut volume, self.left_out, self.spacing, self.has_unit);
+        finish(&mut volume, self.left_out, self.spacing);
         Ok(volume)
     }
 }
 
-/// Says what pages were left out, and puts the others where their distances say, in millimetres or in no unit.
-pub(super) fn finish(volume: &mut Volume, left_out: usize, spacing: Option<[f64; 3]>, has_unit: bool) {
+/// Says what pages were left out, and puts the others where their distances say, in no unit.
+pub(super) fn finish(volume: &mut Volume, left_out: usize, spacing: Option<[f64; 3]>) {
     if left_out > 0 {
         volume.notes.push(format!("{left_out} pages of another size than the first are left out"));
     }
     if let Some(spacing) = spacing {
         let spacing = DVec3::from_array(spacing);
         place(volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
-        volume.unit = if has_unit { Unit::Millimetre } else { Unit::Voxel };
     }
 }

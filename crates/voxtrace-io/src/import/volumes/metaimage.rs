@@ -45,6 +45,8 @@ struct Header {
     /// Direction of each axis, one after the other.
     axes: Vec<f64>,
     origin: Vec<f64>,
+    /// Millimetres of the unit of lengths.
+    unit: f64,
     data_file: Option<String>,
 }
 
@@ -127,6 +129,7 @@ impl Header {
             spacing: Vec::new(),
             axes: Vec::new(),
             origin: Vec::new(),
+            unit: 1.0,
             data_file: None,
         };
         while header.data_file.is_none() {
@@ -142,7 +145,8 @@ impl Header {
             };
             let (key, value) = (key.trim(), value.trim());
             let wrong = || malformed(format!("{key}: {value:?} makes no sense"));
-            let is_true = value.eq_ignore_ascii_case("true") || value == "1";
+            // As MetaIO does, which looks at the first letter.
+            let is_true = value.starts_with(['T', 't', '1']);
             let reals = || {
                 let all: Option<Vec<f64>> = value.split_whitespace().map(|word| word.parse().ok()).collect();
                 all.filter(|all| all.len() <= MOST_AXES * MOST_AXES).ok_or_else(wrong)
@@ -165,6 +169,13 @@ impl Header {
                 "ElementSize" if header.spacing.is_empty() => header.spacing = reals()?,
                 "TransformMatrix" | "Rotation" | "Orientation" => header.axes = reals()?,
                 "Offset" | "Position" | "Origin" => header.origin = reals()?,
+                "DistanceUnits" => {
+                    header.unit = match value {
+                        "um" => 1e-3,
+                        "cm" => 10.0,
+                        _ => 1.0,
+                    };
+                }
                 "ElementDataFile" => header.data_file = Some(value.into()),
                 _ => {}
             }
@@ -174,7 +185,7 @@ impl Header {
 
     fn place(&self, volume: &mut Volume) {
         let pick = |all: &[f64], n: usize, otherwise: f64| all.get(n).copied().unwrap_or(otherwise);
-        let spacing = DVec3::from_array([0, 1, 2].map(|n| pick(&self.spacing, n, 1.0)));
+        let spacing = DVec3::from_array([0, 1, 2].map(|n| pick(&self.spacing, n, 1.0))) * self.unit;
         let dimensions = self.size.len();
         let axes = if dimensions >= 3 && self.axes.len() == dimensions * dimensions {
             // Rows of the file are the directions of the axes.
@@ -183,8 +194,36 @@ impl Header {
         } else {
             DMat3::from_diagonal(spacing)
         };
-        let origin = DVec3::from_array([0, 1, 2].map(|n| pick(&self.origin, n, 0.0)));
+        let origin = DVec3::from_array([0, 1, 2].map(|n| pick(&self.origin, n, 0.0))) * self.unit;
         // The world of MetaImage is left, posterior, superior, as ours.
         place(volume, DAffine3 { matrix3: axes, translation: origin }, spacing);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn truths_are_told_by_their_first_letter_and_lengths_have_their_unit() {
+        let read = |fields: &str| {
+            let text = format!(
+                "NDims = 3\nDimSize = 2 1 1\nElementSpacing = 2 3 4\nOffset = 10 0 0\n{fields}\nElementType = MET_USHORT\nElementDataFile = LOCAL\n"
+            );
+            let bytes = [text.as_bytes(), &[0, 1, 2, 0]].concat();
+            let (options, path) = (ImportOptions::default(), Path::new("a.mha"));
+            let input = Input::of_bytes(&bytes, path, &options.limits).unwrap();
+            stored(input, &Folder::none(), &options).unwrap().read(&options).unwrap()
+        };
+        for (truth, wanted) in [("True", [1.0, 512.0]), ("T", [1.0, 512.0]), ("1", [1.0, 512.0]), ("F", [256.0, 2.0])] {
+            assert_eq!(read(&format!("ElementByteOrderMSB = {truth}")).values, wanted, "{truth}");
+        }
+        for (unit, factor) in [("mm", 1.0), ("um", 1e-3), ("cm", 10.0), ("?", 1.0)] {
+            let place = read(&format!("DistanceUnits = {unit}")).world_from_index;
+            let found = [place.matrix3.x_axis.x, place.matrix3.z_axis.z, place.translation.x];
+            let wanted = [2.0, 4.0, 10.0].map(|length| length * factor);
+            assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-12), "{unit}: {found:?}");
+        }
     }
 }

@@ -112,6 +112,9 @@ struct Header {
     directions: Option<Vec<Option<DVec3>>>,
     origin: Option<DVec3>,
     space: String,
+    /// Units of the space's axes, and of the axes that have spacings.
+    space_units: Vec<String>,
+    units: Vec<String>,
     files: DataFiles,
     line_skip: u64,
     byte_skip: i64,
@@ -159,6 +162,8 @@ impl Header {
             "kinds" => self.kinds = value.split_whitespace().map(str::to_ascii_lowercase).collect(),
             "encoding" => self.encoding = Some(value.to_ascii_lowercase()),
             "endian" => self.big_endian = value.eq_ignore_ascii_case("big"),
+            "space units" => self.space_units = texts(value),
+            "units" => self.units = texts(value),
             "space" => self.space = value.to_ascii_lowercase(),
             "data file" | "datafile" => self.files = DataFiles::of(value),
             "line skip" | "lineskip" => self.line_skip = value.parse().map_err(|_| wrong())?,
@@ -183,6 +188,11 @@ impl Header {
         let spacing = |n: usize| space.get(n).and_then(|&axis| self.spacings.get(axis)).copied();
         let spacing = DVec3::from_array([0, 1, 2].map(|n| spacing(n).filter(|s| s.is_finite()).unwrap_or(1.0)));
         let Some(directions) = &self.directions else {
+            let unit = millimetres(space.iter().filter_map(|&axis| self.units.get(axis)));
+            let spacing = spacing * unit.unwrap_or(1.0);
+            if unit.is_some() {
+                volume.unit = Unit::Millimetre;
+            }
             place(volume, DAffine3::from_mat3(DMat3::from_diagonal(spacing)), spacing);
             return;
         };
@@ -207,13 +217,36 @@ impl Header {
                 1.0
             },
         );
-        if is_named {
+        let unit = millimetres(self.space_units.iter());
+        if is_named || unit.is_some() {
             volume.unit = Unit::Millimetre;
         }
+        let unit = unit.unwrap_or(1.0);
         let axes = DAffine3 { matrix3: DMat3::from_cols(x, y, z), translation: self.origin.unwrap_or(DVec3::ZERO) };
-        let lengths = DVec3::new(x.length(), y.length(), z.length());
-        place(volume, DAffine3::from_mat3(DMat3::from_diagonal(turn)) * axes, lengths);
+        let lengths = DVec3::new(x.length(), y.length(), z.length()) * unit;
+        place(volume, DAffine3::from_mat3(DMat3::from_diagonal(turn * unit)) * axes, lengths);
     }
+}
+
+/// Texts in quotes, one for each axis.
+fn texts(text: &str) -> Vec<String> {
+    text.split('"').skip(1).step_by(2).take(MOST_AXES).map(str::to_owned).collect()
+}
+
+/// Millimetres of the unit that all axes have; `None` where they have several, or one that is no length.
+fn millimetres<'a>(units: impl Iterator<Item = &'a String>) -> Option<f64> {
+    let of_unit = |unit: &String| {
+        Some(match unit.trim().to_lowercase().as_str() {
+            "nm" | "nanometer" | "nanometers" => 1e-6,
+            "um" | "µm" | "μm" | "micron" | "microns" | "micrometer" | "micrometers" => 1e-3,
+            "mm" | "millimeter" | "millimeters" => 1.0,
+            "cm" | "centimeter" | "centimeters" => 10.0,
+            "m" | "meter" | "meters" => 1e3,
+            _ => return None,
+        })
+    };
+    let all: Option<Vec<f64>> = units.map(of_unit).collect();
+    all.filter(|all| all.windows(2).all(|pair| pair[0] == pair[1]))?.first().copied()
 }
 
 /// `(1,0,0) none (0,1)`: vectors of up to three numbers.
@@ -238,4 +271,30 @@ fn vectors(text: &str) -> Option<Vec<Option<DVec3>>> {
         rest = after.trim_start();
     }
     Some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_axes_are_the_lengths_that_they_say() {
+        let read = |fields: &str| {
+            let text =
+                format!("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 1 1\nencoding: raw\n{fields}\n\n\u{1}\u{2}");
+            let (options, path) = (ImportOptions::default(), Path::new("a.nrrd"));
+            let input = Input::of_bytes(text.as_bytes(), path, &options.limits).unwrap();
+            let volume = stored(input, &Folder::none(), &options).unwrap().read(&options).unwrap();
+            let place = volume.world_from_index;
+            (volume.unit, place.matrix3.x_axis.x, place.translation.x)
+        };
+        let directions = "space directions: (2,0,0) (0,2,0) (0,0,2)\nspace origin: (10,0,0)\nspace";
+        assert_eq!(read(&format!("{directions}: LPS")), (Unit::Millimetre, 2.0, 10.0));
+        let (unit, step, origin) = read(&format!("{directions}: RAS\nspace units: \"um\" \"um\" \"um\""));
+        assert!(unit == Unit::Millimetre && (step + 0.002).abs() < 1e-12 && (origin + 0.01).abs() < 1e-12);
+        let several = format!("{directions} dimension: 3\nspace units: \"mm\" \"mm\" \"cm\"");
+        assert_eq!(read(&several), (Unit::Voxel, 2.0, 10.0));
+        assert_eq!(read("spacings: 2 2 2\nunits: \"cm\" \"cm\" \"cm\""), (Unit::Millimetre, 20.0, 0.0));
+        assert_eq!(read("spacings: 2 2 2\nunits: \"pixel\" \"pixel\" \"pixel\""), (Unit::Voxel, 2.0, 0.0));
+    }
 }

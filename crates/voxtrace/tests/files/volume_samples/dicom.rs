@@ -14,13 +14,15 @@ pub enum Kind {
     BigEndian,
     RunLengths,
     Deflated,
+    /// Implicit, little endian; places and sizes in functional groups of stated lengths.
+    Lengths,
 }
 
 impl Kind {
     fn syntax(self) -> &'static str {
         match self {
             Self::Groups => "1.2.840.10008.1.2.1",
-            Self::Dose => "1.2.840.10008.1.2",
+            Self::Dose | Self::Lengths => "1.2.840.10008.1.2",
             Self::BigEndian => "1.2.840.10008.1.2.2",
             Self::RunLengths => "1.2.840.10008.1.2.5",
             Self::Deflated => "1.2.840.10008.1.2.1.99",
@@ -90,6 +92,24 @@ impl Writer {
         self.long(0);
     }
 
+    /// A sequence of one item, both of stated lengths.
+    fn item(&mut self, tag: u32, write: impl FnOnce(&mut Self)) {
+        let mut inner = Self { bytes: Vec::new(), ..*self };
+        write(&mut inner);
+        self.items(tag, vec![inner.bytes]);
+    }
+
+    /// A sequence of stated length with these items.
+    fn items(&mut self, tag: u32, items: Vec<Vec<u8>>) {
+        let length: usize = items.iter().map(|item| 8 + item.len()).sum();
+        self.head(tag, "SQ", length as u32);
+        for item in items {
+            self.tag(0xfffe_e000);
+            self.long(item.len() as u32);
+            self.bytes.extend(item);
+        }
+    }
+
     fn pixel_head(&mut self, frames: usize, slope: bool) {
         self.number(0x0028_0002, 1);
         self.text(0x0028_0004, "CS", "MONOCHROME2");
@@ -125,7 +145,8 @@ fn place(z: f64) -> String {
 
 /// All frames in one file.
 pub fn file(kind: Kind) -> Vec<u8> {
-    let (is_explicit, big_endian) = (kind != Kind::Dose, kind == Kind::BigEndian);
+    let is_explicit = !matches!(kind, Kind::Dose | Kind::Lengths);
+    let big_endian = kind == Kind::BigEndian;
     let mut writer = Writer { bytes: Vec::new(), is_explicit, big_endian };
     writer.text(0x0008_0060, "CS", "CT");
     // A sequence that says nothing about pixels, with tags that look as if it did.
@@ -138,6 +159,16 @@ pub fn file(kind: Kind) -> Vec<u8> {
     if kind == Kind::Dose {
         let offsets: Vec<String> = (0..SIZE[2]).map(|z| (z as f64 * SPACING[2]).to_string()).collect();
         writer.text(0x3004_000c, "DS", &offsets.join("\\"));
+    } else if kind == Kind::Lengths {
+        writer.item(0x5200_9229, |writer| {
+            writer.item(0x0020_9116, |writer| writer.text(0x0020_0037, "DS", "1\\0\\0\\0\\1\\0"));
+        });
+        let frames = (0..SIZE[2]).map(|z| {
+            let mut frame = Writer { bytes: Vec::new(), is_explicit, big_endian };
+            frame.item(0x0020_9113, |writer| writer.text(0x0020_0032, "DS", &place(z as f64)));
+            frame.bytes
+        });
+        writer.items(0x5200_9230, frames.collect());
     } else {
         writer.sequence(0x5200_9229, 1, |writer, _| {
             writer.sequence(0x0020_9116, 1, |writer, _| writer.text(0x0020_0037, "DS", "1\\0\\0\\0\\1\\0"));

@@ -182,7 +182,8 @@ impl<'i, 'a> Reader<'i, 'a> {
         let tag = self.tag()?;
         if matches!(tag, tag::ITEM | tag::ITEM_END | tag::SEQUENCE_END) || !self.is_explicit {
             let length = self.long()?;
-            let is_group = matches!(tag, tag::SHARED_GROUPS | tag::FRAME_GROUPS);
+            // Without kinds of values a sequence of a stated length is told by its tag alone.
+            let is_group = matches!(tag, tag::SHARED_GROUPS | tag::FRAME_GROUPS) || tag::PLACE_GROUPS.contains(&tag);
             let is_sequence = is_group || length == UNDEFINED && tag != tag::PIXELS;
             return Ok(Head { tag, length, is_sequence, is_unknown: false, is_words: true });
         }

@@ -16,7 +16,7 @@ mod syntax;
 mod tag;
 mod values;
 
-use crate::import::reader::{Kind, Magic, NotShown, Reader};
+use crate::import::reader::{ImportOptions, Kind, Magic, NotShown, Reader};
 use crate::import::samples::checked_size;
 use crate::import::source::input::Input;
 use elements::File;
@@ -55,14 +55,14 @@ fn without_pixels(path: &Path, file: &File, at: u64) -> ImportError {
 }
 
 /// Reads the frames of one file.
-pub(super) fn read(input: Input, number: Option<i64>, limits: &Limits) -> Result<Volume, ImportError> {
-    let path = input.path();
+pub(super) fn read(input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {
+    let (path, limits) = (input.path(), &options.limits);
     let file = File::read(input, limits, true)?;
     let layout = Layout::of(path, &file, limits)?;
     let size = [layout.columns, layout.rows, layout.frames].map(|size| size as u64);
     checked_size(path, file.pixels_at, size, limits)?;
     let slices = slices(path, &file, &layout, limits)?;
-    volume(path, &file, slices, number, limits)
+    volume(path, &file, slices, options.series, options)
 }
 
 /// The frames of a file, with their values rescaled.
@@ -83,6 +83,12 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
         if (slope, intercept) != (1.0, 0.0) {
             values.iter_mut().for_each(|value| *value = (f64::from(*value) * slope + intercept) as f32);
         }
+        if are_labels(file)
+            && let Some(segment) = file.of_frame(frame, |elements| elements.short(tag::SEGMENT))
+        {
+            // Pixels say only whether a place belongs to the segment of the frame (PS3.3, C.8.20.2).
+            values.iter_mut().for_each(|value| *value = if *value > 0.0 { segment.into() } else { 0.0 });
+        }
         let (x, y) = directions(file, frame);
         let mut position = vector(file, frame, tag::POSITION, 0);
         if let (Some(position), Some(offset)) = (&mut position, offsets.get(frame)) {
@@ -99,6 +105,11 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
         }
     }
     Ok(slices)
+}
+
+/// Whether samples are the numbers of segments, not shares of one.
+fn are_labels(file: &File) -> bool {
+    file.main.text(tag::MODALITY) == Some("SEG") && file.main.text(tag::SEGMENTATION) != Some("FRACTIONAL")
 }
 
 /// Three numbers of a frame, from the nth on.
@@ -134,7 +145,7 @@ fn volume(
     file: &File,
     slices: Vec<Slice>,
     number: Option<i64>,
-    limits: &Limits,
+    options: &ImportOptions,
 ) -> Result<Volume, ImportError> {
     let (slices, note) =
         orientations::choose(slices, number).map_err(|what| unsupported(path, file.pixels_at, what))?;
@@ -148,8 +159,9 @@ fn volume(
         (columns, rows, frame) = (mosaic.columns, mosaic.rows, 0);
     }
     let (spacing, distance) = spacing(file, frame);
-    let plane = stack::Plane { columns, rows, directions: first.directions, spacing, distance };
-    let mut volume = stack::volume(path, file.pixels_at, &plane, slices, limits)?;
+    let are_labels = are_labels(file);
+    let plane = stack::Plane { columns, rows, directions: first.directions, spacing, distance, are_labels };
+    let mut volume = stack::volume(path, file.pixels_at, &plane, slices, options)?;
     volume.notes.extend(note);
     let mut parts = NotShown::default();
     parts.count("overlay", file.overlays.into());

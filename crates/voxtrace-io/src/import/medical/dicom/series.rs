@@ -72,14 +72,14 @@ fn is_dicom(path: &Path, limits: &Limits) -> Result<bool, ImportError> {
 
 /// Reads a folder, a file with the series that it belongs to, or the files that a directory of a medium names.
 pub(super) fn read(source: Source, options: &ImportOptions) -> Result<Volume, ImportError> {
-    let (number, limits) = (options.series, &options.limits);
+    let limits = &options.limits;
     let path = source.path();
     if source.is_folder() {
         return read_series(path, listing::files_below(path, limits)?, None, options);
     }
     let is_alone = source.is_in_memory();
     let (input, _) = source.into_input()?;
-    let Some(mut again) = input.file()?.filter(|_| !is_alone) else { return super::read(input, number, limits) };
+    let Some(mut again) = input.file()?.filter(|_| !is_alone) else { return super::read(input, options) };
     let file = File::read(input, limits, false)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !file.referenced.is_empty() {
@@ -88,7 +88,7 @@ pub(super) fn read(source: Source, options: &ImportOptions) -> Result<Volume, Im
     let layout = Layout::of(path, &file, limits)?;
     if layout.frames > 1 || file.main.text(tag::SERIES).is_none() {
         again.rewind().map_err(|error| ImportError::io(path, error))?;
-        return super::read(Input::of_file(again, path, limits)?, number, limits);
+        return super::read(Input::of_file(again, path, limits)?, options);
     }
     read_series(path, listing::files(folder, limits)?, Some(&Key::of(&file, &layout)), options)
 }
@@ -233,7 +233,7 @@ fn read_stack(stack: &Stack, asked: Option<&Path>, options: &ImportOptions) -> R
     if whole.is_empty() {
         return Err(fault.unwrap_or_else(|| ImportError::malformed(first_path, 0, "a series without pixels")));
     }
-    let mut volume = volume(first_path, &first, whole, None, limits)?;
+    let mut volume = volume(first_path, &first, whole, None, options)?;
     if let Some(fault) = fault {
         let all = stack.files.len();
         volume.notes.push(format!("{count} of the {all} files of the series are left out: {fault}"));

@@ -1,7 +1,9 @@
 //! Slices become a lattice: sorted along their normal; leaning ones (a tilted gantry) are shifted upright, and where
 //! distances differ, slices are mixed at even ones.
 
-use super::checked_size;
+use super::{checked_size, unsupported};
+use crate::import::reader::ImportOptions;
+use crate::import::samples::channels::chosen;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use std::path::Path;
 use voxtrace_voxelize::volume::Volume;
@@ -30,10 +32,14 @@ pub(super) struct Plane {
     pub spacing: [f64; 2],
     /// Between slices, as the file says.
     pub distance: Option<f64>,
+    /// Whether samples are labels, which nothing mixes.
+    pub are_labels: bool,
 }
 
 /// Distances that differ by no more than this part of them are even.
 const EVEN: f64 = 0.05;
+/// Millimetres that pictures at one place may be apart.
+const ONE_PLACE: f64 = 1e-4;
 /// Pixels by which slices may lean without being shifted.
 const UPRIGHT: f64 = 0.05;
 
@@ -43,8 +49,9 @@ pub(super) fn volume(
     at: u64,
     plane: &Plane,
     mut slices: Vec<Slice>,
-    limits: &Limits,
+    options: &ImportOptions,
 ) -> Result<Volume, ImportError> {
+    let limits = &options.limits;
     let (x, y) = plane.directions;
     let normal = x.cross(y);
     let mut notes = Vec::new();
@@ -55,14 +62,28 @@ pub(super) fn volume(
         by_place.then(a.number.total_cmp(&b.number)).then(a.frame.cmp(&b.frame))
     });
     let count = slices.len();
-    if has_positions {
-        // Of several time points or echoes at one place the first is kept.
-        slices.dedup_by(|b, a| depth(b) - depth(a) < 1e-4);
-        if slices.len() < count {
-            notes.push(format!("{} pictures at the places of others are left out", count - slices.len()));
+    let mut places: Vec<Vec<Slice>> = Vec::new();
+    for slice in slices {
+        match places.last_mut().filter(|place| has_positions && depth(&slice) - depth(&place[0]) < ONE_PLACE) {
+            Some(place) => place.push(slice),
+            None => places.push(vec![slice]),
         }
-    } else if count > 1 {
+    }
+    if !has_positions && count > 1 {
         notes.push("the pictures do not say where they lie: they are stacked by their numbers".into());
+    }
+    let most = if plane.are_labels { 1 } else { places.iter().map(Vec::len).max().unwrap_or(1) };
+    let time = chosen(options.time, most, "time point").map_err(|what| unsupported(path, at, what))?;
+    slices = if plane.are_labels {
+        joined(places, &mut notes)
+    } else {
+        // Of several time points or echoes at one place one is kept.
+        places.into_iter().filter_map(|place| place.into_iter().nth(time.unwrap_or(0))).collect()
+    };
+    if slices.len() < count && !plane.are_labels {
+        let left_out = count - slices.len();
+        let advice = if time.is_none() { format!("; --time 1 to {most} chooses") } else { String::new() };
+        notes.push(format!("{left_out} pictures at the places of others are left out{advice}"));
     }
     let mut distance = plane.distance.unwrap_or(plane.spacing[0]);
     let mut origin = slices[0].position.unwrap_or_default();
@@ -88,6 +109,23 @@ pub(super) fn volume(
     let spacing = DVec3::new(plane.spacing[0], plane.spacing[1], distance);
     crate::import::samples::place(&mut volume, DAffine3 { matrix3: axes, translation: origin }, spacing);
     Ok(volume)
+}
+
+/// Segments at one place become one picture, of numbers of segments.
+fn joined(places: Vec<Vec<Slice>>, notes: &mut Vec<String>) -> Vec<Slice> {
+    let mut shared = 0u64;
+    let mut join = |mut below: Slice, above: Slice| {
+        for (own, over) in below.values.iter_mut().zip(above.values).filter(|(_, over)| *over != 0.0) {
+            shared += u64::from(*own != 0.0 && *own != over);
+            *own = over;
+        }
+        below
+    };
+    let slices = places.into_iter().filter_map(|place| place.into_iter().reduce(&mut join)).collect();
+    if shared > 0 {
+        notes.push(format!("{shared} samples belong to several segments: the last of them is shown"));
+    }
+    slices
 }
 
 /// Shifts pictures in their plane so that each lies straight above the first.
@@ -145,10 +183,10 @@ fn even(
     if most - least <= EVEN * middle {
         return Ok((slices, whole / steps.len() as f64));
     }
-    notes.push(format!(
-        "slices lie {} to {} mm apart: they are mixed at {} mm",
-        least as f32, most as f32, middle as f32
-    ));
+    // Segmentations leave out the slices in which nothing lies, wherever those are.
+    let middle = if plane.are_labels { least } else { middle };
+    let becomes = if plane.are_labels { "what lies between is empty" } else { "they are mixed" };
+    notes.push(format!("slices lie {} to {} mm apart: {becomes} at {} mm", least as f32, most as f32, middle as f32));
     let count = (whole / middle).round() + 1.0;
     let count = if count.is_finite() && count < 1e9 { count as u64 } else { u64::MAX };
     checked_size(path, at, [plane.columns as u64, plane.rows as u64, count], limits)?;
@@ -161,7 +199,13 @@ fn even(
         }
         let part = ((depth - depths[below]) / (depths[below + 1] - depths[below])).clamp(0.0, 1.0) as f32;
         let pairs = slices[below].values.iter().zip(&slices[below + 1].values);
-        let values = pairs.map(|(&a, &b)| a + (b - a) * part).collect();
+        let values = if plane.are_labels {
+            let nearest = if part < 0.5 { below } else { below + 1 };
+            let is_near = (depths[nearest] - depth).abs() <= middle * 0.5;
+            if is_near { slices[nearest].values.clone() } else { vec![0.0; slices[nearest].values.len()] }
+        } else {
+            pairs.map(|(&a, &b)| a + (b - a) * part).collect()
+        };
         result.push(Slice { position: None, directions: plane.directions, number: 0.0, frame: n as usize, values });
     }
     Ok((result, middle))
@@ -171,15 +215,21 @@ fn even(
 mod tests {
     use super::*;
 
-    const PLANE: Plane =
-        Plane { columns: 4, rows: 3, directions: (DVec3::X, DVec3::Y), spacing: [0.5, 2.0], distance: None };
+    const PLANE: Plane = Plane {
+        columns: 4,
+        rows: 3,
+        directions: (DVec3::X, DVec3::Y),
+        spacing: [0.5, 2.0],
+        distance: None,
+        are_labels: false,
+    };
 
     fn slice(number: f64, position: Option<DVec3>, value: f32) -> Slice {
         Slice { position, directions: PLANE.directions, number, frame: 0, values: vec![value; 12] }
     }
 
     fn stacked(slices: Vec<Slice>) -> Volume {
-        volume(Path::new("a.dcm"), 0, &PLANE, slices, &Limits::default()).unwrap()
+        volume(Path::new("a.dcm"), 0, &PLANE, slices, &ImportOptions::default()).unwrap()
     }
 
     #[test]
@@ -212,6 +262,44 @@ mod tests {
         assert_eq!((still.size[2], still.values[0], still.notes.len()), (1, 1.0, 1));
         let nowhere = stacked(vec![slice(2.0, None, 2.0), slice(1.0, None, 1.0)]);
         assert_eq!((nowhere.size[2], nowhere.values[0], nowhere.notes.len()), (2, 1.0, 1));
+    }
+
+    #[test]
+    fn of_several_pictures_at_one_place_the_time_point_that_is_asked_for_is_kept() {
+        let slices = || {
+            let all = [(0.0, 1.0), (1.0, 2.0), (0.0, 3.0), (1.0, 4.0)];
+            all.map(|(z, number)| slice(number, Some(DVec3::Z * z), number as f32)).into()
+        };
+        let read = |time| {
+            let options = ImportOptions { time, ..ImportOptions::default() };
+            volume(Path::new("a.dcm"), 0, &PLANE, slices(), &options)
+        };
+        let values = |time| [0, 12].map(|at| read(time).unwrap().values[at]);
+        assert_eq!([values(None), values(Some(1)), values(Some(2))], [[1.0, 2.0], [1.0, 2.0], [3.0, 4.0]]);
+        assert!(read(None).unwrap().notes[0].contains("--time 1 to 2"));
+        assert!(read(Some(3)).unwrap_err().to_string().contains("no time point 3: there are 2"));
+    }
+
+    #[test]
+    fn segments_at_one_place_are_joined_and_what_lies_between_their_slices_is_empty() {
+        let plane = Plane { are_labels: true, ..PLANE };
+        let of_segment = |z: f64, segment: f32, at: usize| {
+            let mut slice = slice(0.0, Some(DVec3::Z * z), 0.0);
+            slice.values[at] = segment;
+            slice
+        };
+        let slices = vec![
+            of_segment(0.0, 1.0, 0),
+            of_segment(20.0, 1.0, 0),
+            of_segment(25.0, 1.0, 0),
+            of_segment(20.0, 3.0, 5),
+            of_segment(25.0, 3.0, 0),
+        ];
+        let volume = volume(Path::new("a.dcm"), 0, &plane, slices, &ImportOptions::default()).unwrap();
+        assert_eq!((volume.size, volume.spacing().z), ([4, 3, 6], 5.0));
+        let labels: Vec<f32> = (0..6).map(|z| volume.values[12 * z]).collect();
+        assert_eq!((labels, volume.values[12 * 4 + 5]), (vec![1.0, 0.0, 0.0, 0.0, 1.0, 3.0], 3.0));
+        assert!(volume.notes[0].contains("1 samples belong to several segments"), "{:?}", volume.notes);
     }
 
     #[test]

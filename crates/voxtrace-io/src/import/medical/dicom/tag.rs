@@ -37,6 +37,11 @@ pub(super) const BLUE_ENTRIES: u32 = 0x0028_1203;
 pub(super) const RED_SEGMENTS: u32 = 0x0028_1221;
 pub(super) const GREEN_SEGMENTS: u32 = 0x0028_1222;
 pub(super) const BLUE_SEGMENTS: u32 = 0x0028_1223;
+/// Sequences within the groups of frames that hold what is read of them.
+pub(super) const PLACE_GROUPS: [u32; 5] = [0x0020_9113, 0x0020_9116, 0x0028_9110, 0x0028_9145, 0x0062_000a];
+/// Of segmentations: their kind, and the number of the segment that a frame is of.
+pub(super) const SEGMENTATION: u32 = 0x0062_0001;
+pub(super) const SEGMENT: u32 = 0x0062_000b;
 pub(super) const INTERCEPT: u32 = 0x0028_1052;
 pub(super) const SLOPE: u32 = 0x0028_1053;
 pub(super) const FRAME_OFFSETS: u32 = 0x3004_000c;
@@ -51,7 +56,7 @@ pub(super) const ITEM_END: u32 = 0xfffe_e00d;
 pub(super) const SEQUENCE_END: u32 = 0xfffe_e0dd;
 
 /// What is kept of a file.
-pub(super) const WANTED: [u32; 39] = [
+pub(super) const WANTED: [u32; 41] = [
     TRANSFER_SYNTAX,
     REFERENCED_FILE,
     IMAGE_TYPE,
@@ -87,6 +92,8 @@ pub(super) const WANTED: [u32; 39] = [
     SIGNED,
     INTERCEPT,
     SLOPE,
+    SEGMENTATION,
+    SEGMENT,
     FRAME_OFFSETS,
     DOSE_SCALING,
     SHARED_GROUPS,

@@ -5,6 +5,7 @@
 mod header;
 mod lzf;
 
+use super::whole_intensities;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::reader::{Geometry, Kind, Magic, Reader};
 use crate::import::source::input::Input;
@@ -150,12 +151,9 @@ impl<'a> Points<'a> {
         if self.left_out > 0 {
             self.cloud.notes.push(format!("{} points that are not finite are left out", self.left_out));
         }
-        let largest = self.intensities.iter().copied().filter(|value| value.is_finite()).fold(0.0f32, f32::max);
-        if largest > 0.0 {
-            // Shares of one, or counts.
-            let scale = if largest <= 1.0 { 65_535.0 } else { 1.0 };
-            let whole = |&value: &f32| (value * scale).clamp(0.0, 65_535.0).round() as u16;
-            self.cloud.intensities = self.intensities.iter().map(whole).collect();
+        self.cloud.intensities = whole_intensities(&self.intensities);
+        if self.cloud.intensities.iter().all(|&value| value == 0) {
+            self.cloud.intensities = Vec::new();
         }
         if self.cloud.classes.iter().all(|&class| class == 0) {
             self.cloud.classes = Vec::new();

@@ -5,6 +5,8 @@ use crate::import::source::input::Input;
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::{ImportError, Limits};
 
+/// What stands for no height where the file does not say it.
+const HOLE: f64 = -9999.0;
 /// Cells smaller than this, in a grid that lies on a globe, are measured in degrees.
 const MOST_DEGREES: f64 = 0.2;
 
@@ -12,7 +14,8 @@ const MOST_DEGREES: f64 = 0.2;
 struct Header {
     columns: Option<u64>,
     rows: Option<u64>,
-    cell: Option<f64>,
+    /// How far points are apart to the east and to the north.
+    steps: [Option<f64>; 2],
     corner: [f64; 2],
     has_corner: bool,
     /// Whether it is the middle of a cell.
@@ -37,6 +40,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
         let text = String::from_utf8_lossy(line.get(..line.len().min(200)).unwrap_or_default()).into_owned();
         header.take(&text).ok_or_else(|| ImportError::malformed(path, offset, format!("the line {text:?}")))?;
     }
+    let hole = header.hole.unwrap_or(HOLE);
     let offset = input.offset();
     let (Some(columns), Some(rows)) = (header.columns, header.rows) else {
         return Err(ImportError::malformed(path, offset, "a grid without ncols or nrows"));
@@ -61,7 +65,7 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
             let word = String::from_utf8_lossy(word.get(..word.len().min(40)).unwrap_or_default());
             let value: f64 =
                 word.parse().map_err(|_| ImportError::malformed(path, offset, format!("the height {word:?}")))?;
-            values.push(if header.hole == Some(value) { f32::NAN } else { value as f32 });
+            values.push(if value == hole { f32::NAN } else { value as f32 });
         }
     }
     if values.len() as u64 > count {
@@ -69,19 +73,29 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
     }
     let mut notes = Vec::new();
     let is_global = header.corner[0].abs() <= 360.0 && header.corner[1].abs() <= 90.0;
-    let cell = header.cell.map(|cell| {
+    let [east, north] = header.steps;
+    let steps = east.or(north).zip(north.or(east));
+    let side = steps.map(|(east, north)| {
+        let side = (east * north).sqrt();
+        if (east - north).abs() > 0.01 * side {
+            notes.push(format!("cells of {east} by {north} are taken for squares"));
+        }
+        side
+    });
+    let cell = side.map(|cell| {
         if cell < MOST_DEGREES && is_global {
             notes.push(format!("cells of {cell} are taken for degrees: {} m", (cell * DEGREE) as f32));
             return cell * DEGREE;
         }
         cell
     });
-    let map = header.cell.filter(|_| header.has_corner).map(|step| {
+    let map = steps.filter(|_| header.has_corner).map(|(east, north)| {
         // A centre is that of the cell in the corner.
-        let half = if header.is_centre { 0.5 * step } else { 0.0 };
-        Map { south_west: header.corner.map(|place| place - half), step: [step; 2], crs: String::new() }
+        let half = if header.is_centre { 0.5 } else { 0.0 };
+        let [x, y] = header.corner;
+        Map { south_west: [x - half * east, y - half * north], step: [east, north], crs: String::new() }
     });
-    let unit = if cell == header.cell { LengthUnit::UNKNOWN } else { LengthUnit::METRE };
+    let unit = if cell == side { LengthUnit::UNKNOWN } else { LengthUnit::METRE };
     Ok(Heights { width: columns as usize, depth: rows as usize, values, cell, unit, map, notes })
 }
 
@@ -95,8 +109,9 @@ impl Header {
         match key.as_str() {
             "ncols" => self.columns = Some(value.parse().ok()?),
             "nrows" => self.rows = Some(value.parse().ok()?),
-            "cellsize" | "dx" => self.cell = Some(number().filter(|&cell| cell > 0.0)?),
-            "dy" => self.cell = self.cell.or(Some(number().filter(|&cell| cell > 0.0)?)),
+            "cellsize" => self.steps = [Some(number().filter(|&cell| cell > 0.0)?); 2],
+            "dx" => self.steps[0] = Some(number().filter(|&cell| cell > 0.0)?),
+            "dy" => self.steps[1] = Some(number().filter(|&cell| cell > 0.0)?),
             "xllcorner" | "xllcenter" => self.corner[0] = number()?,
             "yllcorner" | "yllcenter" => {
                 self.corner[1] = number()?;

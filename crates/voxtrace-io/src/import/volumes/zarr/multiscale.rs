@@ -111,21 +111,35 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
         let (spacing, origin) = (pick(&scale, 1.0), pick(&shift, 0.0));
         levels.push(Level { array, axes: own, spacing, origin, time, channel, channels: channels.clone() });
     }
-    let unit = levels.first().and_then(|level| level.axes[0]).and_then(|axis| described.get(axis)?["unit"].as_str());
-    // Everything that is not a metre becomes millimetres.
-    let (unit, factor) = match unit {
-        Some("nanometer") => (Unit::Millimetre, 1e-6),
-        Some("micrometer") => (Unit::Millimetre, 1e-3),
-        Some("millimeter") => (Unit::Millimetre, 1.0),
-        Some("centimeter") => (Unit::Millimetre, 10.0),
-        Some("meter") => (Unit::Metre, 1.0),
-        _ => (Unit::Voxel, 1.0),
-    };
+    let own = levels.first().map_or([None; 3], |level| level.axes);
+    let (unit, factors) = lengths(own.map(|axis| described.get(axis?)?["unit"].as_str()));
     for level in &mut levels {
-        level.spacing = level.spacing.map(|spacing| spacing * factor);
-        level.origin = level.origin.map(|origin| origin * factor);
+        for axis in 0..3 {
+            level.spacing[axis] *= factors[axis];
+            level.origin[axis] *= factors[axis];
+        }
     }
     Ok((!levels.is_empty()).then_some((levels, unit)))
+}
+
+/// The unit of a picture whose axes x, y and z have these, and what lengths along each are to be multiplied with.
+fn lengths(units: [Option<&str>; 3]) -> (Unit, [f64; 3]) {
+    let millimetres = |unit| {
+        Some(match unit {
+            "angstrom" => 1e-7,
+            "nanometer" => 1e-6,
+            "micrometer" => 1e-3,
+            "millimeter" => 1.0,
+            "centimeter" => 10.0,
+            "meter" => 1e3,
+            _ => return None,
+        })
+    };
+    // Everything that is not a metre becomes millimetres.
+    let Some(x) = units[0].and_then(millimetres) else { return (Unit::Voxel, [1.0; 3]) };
+    let (unit, least) = if units[0] == Some("meter") { (Unit::Metre, 1e3) } else { (Unit::Millimetre, 1.0) };
+    // An axis that says nothing is as x.
+    (unit, units.map(|own| own.and_then(millimetres).unwrap_or(x) / least))
 }
 
 /// A channel as its metadata of OMERO says: six digits of a colour, and where it is black and bright.
@@ -139,5 +153,20 @@ fn look(channel: &Value) -> Channel {
             rgb
         }),
         window: window.map(|(start, end)| (start as f32, end as f32)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_axis_has_its_own_unit() {
+        let um = Some("micrometer");
+        assert_eq!(lengths([um, um, um]), (Unit::Millimetre, [1e-3; 3]));
+        assert_eq!(lengths([Some("nanometer"), Some("nanometer"), um]), (Unit::Millimetre, [1e-6, 1e-6, 1e-3]));
+        assert_eq!(lengths([um, um, None]), (Unit::Millimetre, [1e-3; 3]));
+        assert_eq!(lengths([Some("meter"), Some("meter"), Some("centimeter")]), (Unit::Metre, [1.0, 1.0, 0.01]));
+        assert_eq!(lengths([Some("pixel"), um, um]), (Unit::Voxel, [1.0; 3]));
     }
 }
