@@ -166,9 +166,7 @@ impl Session {
         } else if self.stop_value_drag() {
             // Dragging moves the camera again.
         } else if let Some(loading) = self.loading.take() {
-            if loading.is_again {
-                self.keep_shown_choices();
-            }
+            self.stay_as_shown(loading.is_again);
             self.say(tr!("said.opening_was_stopped"), false);
         } else if self.has_help {
             self.has_help = false;

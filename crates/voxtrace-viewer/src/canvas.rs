@@ -83,22 +83,24 @@ impl Session {
             VoxelBox { min: IVec3::ZERO, max: IVec3::from_array(size.map(|side| side.clamp(1, LARGEST) as i32)) };
         let mut scene = dynamic.scene().unshared();
         scene.cameras = vec![camera(region)];
+        // Nothing of the scene before, or of one on its way, belongs to it.
+        (self.loading, self.wanted_timeline, self.moving, self.wants_motion) = (None, None, None, false);
         self.show(NAME.into(), Arc::new(scene));
         let bounds = (region.min.as_vec3(), region.max.as_vec3());
         self.navigator = self.navigator.in_scene(camera(region), Some(bounds));
         if let Some(open) = &mut self.open {
             open.canvas = Some(region);
         }
-        self.loading = None;
-        (self.values, self.points) = (None, None);
+        self.take_values(None, false);
+        self.points = None;
         self.editing = Some(Editing { begun: Some(Box::new(dynamic)), material: MATERIAL, ..Editing::default() });
         self.has_panels = true;
         self.ask(Command::Edit);
     }
 
-    /// Whether the scene was begun here and no file holds it.
+    /// Whether the scene was begun in a window, this one or one whose edits were recovered, and no file holds it. Files have whole paths.
     pub(crate) fn is_untitled(&self) -> bool {
-        self.open.as_ref().is_some_and(|open| open.canvas.is_some() && open.source == NAME)
+        self.open.as_ref().is_some_and(|open| open.source == NAME)
     }
 
     /// The place on the walls of the box that a ray sees behind everything.

@@ -1,6 +1,7 @@
 //! What somebody changes about the scene that is shown: materials, and which parts are seen. The command that renders the picture says
 //! all of it.
 
+use crate::editing::{Editing, Steps};
 use crate::session::{Command, Session};
 use crate::tr;
 use voxtrace::changes::MaterialChange;
@@ -55,7 +56,7 @@ impl Session {
             }
         }
         match open.lacks_objects() {
-            true if self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits) => {
+            true if self.editing.as_ref().is_some_and(Editing::has_edits_beside_file) => {
                 open.hide_unread();
                 self.say(tr!("edit.show_first"), true);
             }
@@ -76,10 +77,25 @@ impl Session {
         has_edits
     }
 
+    /// Whether the scene has edits that would be lost if its file were read again; says so.
+    pub(crate) fn refuses_to_read_again(&mut self) -> bool {
+        let refuses = self.editing.as_ref().is_some_and(Editing::has_edits_beside_file);
+        if refuses {
+            self.say(tr!("edit.not_read_again"), true);
+        }
+        refuses
+    }
+
     /// Where nothing was edited yet, editing begins anew with the scene as it is changed.
     fn restart_editing(&mut self) {
         if let Some(editing) = &mut self.editing {
             (editing.editor, editing.is_ready, editing.stroke) = (None, false, None);
+            (editing.before, editing.steps, editing.recovered) = (None, Steps::default(), None);
+            editing.pending.clear();
+            // Steps are counted anew: none of them is the one that a file holds.
+            if let Some(saved) = editing.saved.as_mut().filter(|saved| saved.state != (0, 0)) {
+                saved.state = (u64::MAX, u64::MAX);
+            }
             self.ask(Command::Edit);
         }
     }
@@ -122,6 +138,7 @@ impl Session {
         // Nothing was edited: what has edits is not read again.
         self.restart_editing();
         self.stay_on_map(&scene);
+        self.measure_in(&scene);
         self.open = self.open.take().map(|open| open.read_again(scene));
         self.picked = None;
         self.update_scene();

@@ -135,11 +135,13 @@ impl Session {
 
     /// Reads the points again in another way; the view stays.
     pub fn set_points(&mut self, choice: PointsChoice) {
-        let Some(points) = &mut self.points else { return };
+        let Some(before) = self.chosen_points() else { return };
         if choice.classes.as_ref().is_some_and(Vec::is_empty) {
             self.say(tr!("points.no_class_left"), false);
-        } else if choice != points.choice {
-            points.choice = choice;
+        } else if choice != before && !self.refuses_to_read_again() {
+            if let Some(points) = &mut self.points {
+                points.choice = choice;
+            }
             self.ask(Command::LoadAgain);
         }
     }

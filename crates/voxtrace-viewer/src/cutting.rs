@@ -75,7 +75,7 @@ impl Session {
             self.say(error.to_string(), true);
             return;
         }
-        let has_edits = self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits);
+        let has_edits = self.editing.as_ref().is_some_and(crate::editing::Editing::has_edits_beside_file);
         let is_read_otherwise =
             !has_edits && open.depends_on_cuts && cutting.is_cut() != self.render_settings.cutting.is_cut();
         let settings = crate::render_settings::RenderSettings { cutting, ..self.render_settings.clone() };

@@ -101,11 +101,12 @@ impl Session {
     pub(crate) fn ask_for_motion(&mut self) -> bool {
         let has_keyframes = self.open.as_ref().is_some_and(|open| open.keyframes > 0);
         let is_asked = has_keyframes && self.moving.is_none();
-        if is_asked {
-            self.wants_motion = true;
-            self.ask(Command::LoadAgain);
+        if !is_asked || self.refuses_to_read_again() {
+            return false;
         }
-        is_asked
+        self.wants_motion = true;
+        self.ask(Command::LoadAgain);
+        true
     }
 
     /// The command that renders the picture of a scene that moves: the frame under the playhead, of the timeline as it is kept now.

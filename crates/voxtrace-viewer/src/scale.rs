@@ -2,7 +2,7 @@
 
 use voxtrace::PackedScene;
 use voxtrace::georeference::Georeference;
-use voxtrace::glam::DVec3;
+use voxtrace::glam::{DAffine3, DVec3};
 use voxtrace::scene::Unit;
 
 /// How large the voxels of a scene are, and where it stands.
@@ -35,6 +35,14 @@ impl Scale {
     /// Of a scene.
     pub fn of(scene: &PackedScene) -> Self {
         Self { voxel_size: scene.voxel_size, unit: scene.unit, georeference: scene.georeference.clone() }
+    }
+
+    /// From the world of another scene of the same source, voxels, to that of this one: by its coordinates, else by the size of voxels.
+    pub(crate) fn world_from_other(&self, other: &Self) -> DAffine3 {
+        match (&self.georeference, &other.georeference) {
+            (Some(own), Some(other)) => own.coordinates_from_world.inverse() * other.coordinates_from_world,
+            _ => DAffine3::from_scale(DVec3::splat(other.voxel_size / self.voxel_size)),
+        }
     }
 
     /// The short name of the unit, empty where a voxel is a voxel.

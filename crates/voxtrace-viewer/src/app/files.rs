@@ -103,7 +103,7 @@ impl App {
         }
         // Freeing what is large takes its time.
         std::thread::spawn(move || drop(before));
-        if !scenes::NAMES.contains(&open.source.as_str()) {
+        if !scenes::NAMES.contains(&open.source.as_str()) && !self.session.is_untitled() {
             self.settings.settings.add_recent(Path::new(&open.source));
             self.save_settings();
         }

@@ -3,6 +3,7 @@
 use super::Dialog;
 use crate::session::Session;
 use crate::tr;
+use voxtrace::frame::MAX_PIXELS;
 use voxtrace::{Camera, Frame};
 
 /// Sizes to choose from.
@@ -21,8 +22,6 @@ pub const MOST_SAMPLES: u32 = 1 << 20;
 pub(super) const PICTURE: &str = "picture";
 pub(super) const FRAMES: &str = "frames";
 pub(super) const RECORD: &str = "record";
-/// Most pixels of a film, as `render` has it.
-const MOST_PIXELS: u64 = 1 << 28;
 
 /// Size, samples and background.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +64,7 @@ impl Quality {
         if !self.size.iter().all(|side| (1..=LARGEST_EDGE).contains(side)) {
             return Err(tr!("dialogs.edge").into());
         }
-        if u64::from(width) * u64::from(height) > MOST_PIXELS {
+        if u64::from(width) * u64::from(height) > MAX_PIXELS {
             return Err(tr!("dialogs.area").into());
         }
         if !(1..=MOST_SAMPLES).contains(&self.samples) {

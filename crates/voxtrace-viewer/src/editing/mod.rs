@@ -332,6 +332,11 @@ impl Editing {
         self.state() != (0, 0) || self.steps.has_forgotten
     }
 
+    /// Whether the scene would lose edits if its file were read again, also those that came from a recovery file.
+    pub(crate) fn has_edits_beside_file(&self) -> bool {
+        self.has_edits() || self.is_recovered || !self.materials_sent.is_empty()
+    }
+
     /// The drag under way.
     pub fn stroke(&self) -> Option<&Stroke> {
         self.stroke.as_ref()

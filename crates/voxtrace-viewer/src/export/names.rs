@@ -34,7 +34,14 @@ pub fn place(written: &Path, wanted: &Path) -> io::Result<PathBuf> {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             // Not every file system has links. An empty file of ours keeps the name, and goes when it is taken.
             Err(_) => match std::fs::File::create_new(&path) {
-                Ok(_) => return std::fs::rename(written, &path).map(|()| path),
+                Ok(_) => {
+                    let renamed = std::fs::rename(written, &path);
+                    if renamed.is_err() {
+                        // Nothing is behind the name.
+                        let _ = std::fs::remove_file(&path);
+                    }
+                    return renamed.map(|()| path);
+                }
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
             },
@@ -66,5 +73,6 @@ mod tests {
         assert_eq!(texts.collect::<Vec<_>>(), ["one", "two", "three"], "none was written over");
         assert_eq!(free_name(folder.path(), "my-room"), folder.path().join("my-room-004.png"));
         assert!(place(&folder.path().join("nothing"), &wanted).is_err());
+        assert_eq!(free_name(folder.path(), "my-room"), folder.path().join("my-room-004.png"), "no empty file is left");
     }
 }

@@ -64,8 +64,7 @@ impl Timestamps {
         // SAFETY: the submit that writes these queries is over.
         unsafe { self.device.raw().get_query_pool_results(self.pool, TIMES * frame as u32, &mut ticks, flags) }
             .step("reading timestamps")?;
-        let period = f64::from(self.device.info().limits.timestamp_period_ns);
-        Ok(Some(ticks[1].wrapping_sub(ticks[0]) as f64 * period * 1e-6))
+        Ok(Some(self.device.info().limits.milliseconds_between(ticks[0], ticks[1])))
     }
 }
 

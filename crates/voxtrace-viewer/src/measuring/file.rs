@@ -1,5 +1,6 @@
 //! Measurements in a file beside the scene, `SCENE.measurements.toml`: each is a table `[measurements.N]`. Points are voxels of the scene's
-//! world, and, where it has coordinates, those too: with another resolution they are found again by these, else by the size of the voxels.
+//! world, and, where it has coordinates, those too: with another resolution, or another origin, they are found again by these, else by the size of the
+//! voxels.
 
 use super::{Component, Kind, Measure};
 use crate::kept_file::{self, KeptError};
@@ -15,6 +16,8 @@ const KEY: &str = "measurements";
 const HEADER: &str = "# Measurements kept by voxtrace; points are voxels of the scene.\n\n";
 /// Most points of one that are read.
 const MOST_POINTS: usize = 10_000;
+/// Voxels that coordinates, which are rounded, may lie beside their points.
+const SAME: f64 = 1e-3;
 
 /// The file of one scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,21 +99,26 @@ impl MeasureFile {
         }
         let size = entry.get("voxel_size").and_then(number_of).filter(|size| *size > 0.0);
         let scale = size.map_or(1.0, |size| size / self.scale.voxel_size);
-        let georeference = self.scale.georeference.as_ref();
-        if scale != 1.0 {
-            let coordinates = points_of(entry, "coordinates").unwrap_or_default();
-            match georeference.filter(|_| coordinates.len() == points.len()) {
-                Some(own) => {
-                    let world = own.coordinates_from_world.inverse();
-                    points = coordinates.iter().map(|point| world.transform_point3(*point)).collect();
-                }
-                None => points.iter_mut().for_each(|point| *point *= scale),
+        let coordinates = points_of(entry, "coordinates").unwrap_or_default();
+        let georeference = self.scale.georeference.as_ref().filter(|_| coordinates.len() == points.len());
+        points.iter_mut().for_each(|point| *point *= scale);
+        let mut shift = DVec3::ZERO;
+        if let Some(own) = georeference {
+            let world = own.coordinates_from_world.inverse();
+            let placed: Vec<DVec3> = coordinates.iter().map(|point| world.transform_point3(*point)).collect();
+            let is_beside = |(placed, point): (&DVec3, &DVec3)| placed.distance(*point) > SAME;
+            if scale != 1.0 || placed.iter().zip(&points).any(is_beside) {
+                shift = placed.first().zip(points.first()).map_or(DVec3::ZERO, |(placed, point)| *placed - *point);
+                points = placed;
             }
         }
         let component = match entry.get("component") {
             None if kind == Kind::Component => return Err("what was counted is missing".into()),
             None => None,
-            Some(value) => Some(component_of(value.as_table().ok_or("`component` is no table")?, scale)?),
+            Some(value) => {
+                let component = component_of(value.as_table().ok_or("`component` is no table")?, scale)?;
+                Some(Component { corner: component.corner + shift, ..component })
+            }
         };
         let is_hidden = entry.get("hidden").and_then(Value::as_bool).unwrap_or(false);
         Ok(Measure { name: text("name").unwrap_or_default().to_owned(), is_hidden, kind, points, component })
@@ -238,6 +246,13 @@ mod tests {
         MeasureFile::new(path.clone(), at(0.5, 1000.0)).store(Some(1), &distance(2.0)).unwrap();
         let moved = MeasureFile::new(path, at(0.25, 990.0)).read().unwrap();
         assert_eq!(moved[&1].points[1], DVec3::new(42.0, 44.0, 46.0), "10 further on, and half as large");
+        let path = folder.path().join("b.measurements.toml");
+        MeasureFile::new(path.clone(), at(0.5, 1000.0)).store(None, &counted()).unwrap();
+        let moved = MeasureFile::new(path.clone(), at(0.5, 990.0)).read().unwrap();
+        let corner = moved[&1].component.as_ref().unwrap().corner;
+        assert_eq!([moved[&1].points[0], corner], [DVec3::splat(21.0); 2], "of the same size, elsewhere");
+        let same = MeasureFile::new(path, at(0.5, 1000.0)).read().unwrap();
+        assert_eq!(same[&1], counted(), "to the bit where nothing moved");
     }
 
     #[test]

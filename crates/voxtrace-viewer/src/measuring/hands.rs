@@ -140,12 +140,17 @@ impl Session {
     fn keep_measure(&mut self, kind: Kind, points: Vec<DVec3>, component: Option<super::Component>) {
         let of_kind = self.measuring.list.values().filter(|measure| measure.kind == kind).count();
         let name = format!("{} {}", kind_name(kind), of_kind + 1);
-        let measure = Measure { name, is_hidden: false, kind, points, component };
+        let number = self.keep(Measure { name, is_hidden: false, kind, points, component });
+        self.measuring.selected = Some(number);
+    }
+
+    /// Keeps a measurement, in the file too where there is one. Returns its number.
+    fn keep(&mut self, measure: Measure) -> u32 {
         self.make_kept_folder();
-        let next = self.measuring.list.keys().next_back().map_or(1, |last| last + 1);
+        let next = self.measuring.list.keys().next_back().map_or(1, |last| last.saturating_add(1));
         let number = self.kept(|file| file.store(None, &measure)).unwrap_or(next);
         self.measuring.list.insert(number, measure);
-        self.measuring.selected = Some(number);
+        number
     }
 
     /// Changes one that was measured, in the file too.
@@ -196,6 +201,35 @@ impl Session {
         let scale = Scale::of(&open.original);
         self.measuring.file = self.beside_scene("measurements.toml").map(|path| MeasureFile::new(path, scale));
         self.measuring.list = self.kept(MeasureFile::read).unwrap_or_default();
+    }
+
+    /// A scene that had no file has one now: what was measured before is kept beside it, too, after what is there.
+    pub(crate) fn keep_measures(&mut self) {
+        let Some(open) = &self.open else { return };
+        let scale = Scale::of(&open.original);
+        self.measuring.file = self.beside_scene("measurements.toml").map(|path| MeasureFile::new(path, scale));
+        let there = self.kept(MeasureFile::read).unwrap_or_default();
+        let measured = std::mem::replace(&mut self.measuring.list, there);
+        (self.measuring.selected, self.measuring.typed) = (None, None);
+        for measure in measured.into_values() {
+            self.keep(measure);
+        }
+    }
+
+    /// The scene is about to be shown with other voxels: what was measured stays in its place, and is as large as it was.
+    pub(crate) fn measure_in(&mut self, scene: &voxtrace::PackedScene) {
+        let Some(open) = &self.open else { return };
+        let (old, new) = (Scale::of(&open.original), Scale::of(scene));
+        if old == new {
+            return;
+        }
+        let new_from_old = new.world_from_other(&old);
+        let measuring = &mut self.measuring;
+        measuring.list.values_mut().for_each(|measure| measure.transform(&new_from_old));
+        measuring.points.iter_mut().for_each(|point| *point = new_from_old.transform_point3(*point));
+        // What it counts are voxels that go.
+        measuring.flood = None;
+        measuring.file = measuring.file.take().map(|file| MeasureFile::new(file.path().to_path_buf(), new));
     }
 
     /// Does something with the file; says what goes wrong.

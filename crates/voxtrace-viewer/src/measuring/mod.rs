@@ -15,7 +15,7 @@ pub use values::Value;
 
 use file::MeasureFile;
 use std::collections::BTreeMap;
-use voxtrace::glam::DVec3;
+use voxtrace::glam::{DAffine3, DVec3};
 
 /// What is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -89,6 +89,18 @@ pub struct Measure {
 }
 
 impl Measure {
+    /// Brings it into a world with voxels of another size, or of another place.
+    pub(crate) fn transform(&mut self, new_from_old: &DAffine3) {
+        self.points.iter_mut().for_each(|point| *point = new_from_old.transform_point3(*point));
+        if let Some(component) = &mut self.component {
+            let volume = new_from_old.matrix3.determinant().abs();
+            component.volume *= volume;
+            component.exposed *= volume.cbrt().powi(2);
+            component.corner = new_from_old.transform_point3(component.corner);
+            component.edges = component.edges.map(|edge| new_from_old.transform_vector3(edge));
+        }
+    }
+
     /// A box around it, world space.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let corners = self.component.iter().flat_map(|component| component.corners());

@@ -120,7 +120,12 @@ fn row(ui: &mut Ui, session: &mut Session, number: u32, scale: &Scale) {
 
 /// All that is known of the one that is selected, and what can be done with it.
 fn details(ui: &mut Ui, session: &mut Session) {
-    let Some(number) = session.measuring.selected else { return };
+    let selected = session.measuring.selected;
+    // A click on another one ends the typing, too.
+    if let Some((whose, typed)) = session.measuring.typed.take_if(|(whose, _)| Some(*whose) != selected) {
+        session.change_measure(whose, |measure| measure.name = typed);
+    }
+    let Some(number) = selected else { return };
     let Some(measure) = session.measuring.list.get(&number).cloned() else { return };
     let Some(scale) = session.open.as_ref().map(|open| Scale::of(&open.original)) else { return };
     let mut name = match &session.measuring.typed {

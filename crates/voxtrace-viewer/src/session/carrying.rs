@@ -119,7 +119,10 @@ impl Session {
         self.wanted_timeline = of_animation.as_ref().map(|_| whole);
         let of_animation = match of_animation.transpose() {
             Ok(scene) => scene,
-            Err(error) => return self.say(error.to_string(), true),
+            Err(error) => {
+                self.stay_as_shown(false);
+                return self.say(error.to_string(), true);
+            }
         };
         let source = of_animation.as_deref().unwrap_or(source);
         let source = match scenes::NAMES.contains(&source) {
@@ -133,6 +136,8 @@ impl Session {
 
     /// Reads the scene again, with what its file hides, or what lies inside, and somebody wants to see.
     fn load_again(&mut self, means: &Means) {
+        // One that was on its way is given up.
+        self.stay_as_shown(false);
         let Some(open) = &self.open else { return };
         let is_cut = self.render_settings.cutting.is_cut();
         let (transfer, points) = (self.chosen_transfer(), self.chosen_points());

@@ -119,6 +119,8 @@ impl Session {
             editing.rebased += u64::from(done.is_recolored);
         }
         if let Some(patch) = done.patch {
+            // What is edited after somebody gave up the edits before is another matter.
+            self.is_discarding = false;
             self.follow(patch);
         }
         if let (Some(added), Some(editing)) = (done.added, &mut self.editing) {

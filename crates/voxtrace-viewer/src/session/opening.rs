@@ -23,12 +23,12 @@ impl Session {
             Some(Err(error)) => {
                 self.loading = None;
                 self.say(error, true);
-                if is_again {
-                    self.keep_shown_choices();
-                }
-                if let Some(open) = self.open.as_mut().filter(|_| is_again) {
-                    open.hide_unread();
-                }
+                self.stay_as_shown(is_again);
+            }
+            // It was edited while its file was read.
+            Some(Ok(_)) if is_again && self.refuses_to_read_again() => {
+                self.loading = None;
+                self.stay_as_shown(is_again);
             }
             Some(Ok(scene)) => {
                 self.loading = None;
@@ -47,6 +47,19 @@ impl Session {
                     open.depends_on_cuts = depends_on_cuts || (is_again && open.depends_on_cuts);
                 }
             }
+        }
+    }
+
+    /// No other scene comes in the place of the one that is shown, nor, where it `is_again`, the same one read in another way.
+    pub(crate) fn stay_as_shown(&mut self, is_again: bool) {
+        if is_again {
+            self.keep_shown_choices();
+            if let Some(open) = &mut self.open {
+                open.hide_unread();
+            }
+        } else {
+            // What was to be lost with it is still there, and is asked for again.
+            (self.wanted_timeline, self.is_discarding) = (None, false);
         }
     }
 

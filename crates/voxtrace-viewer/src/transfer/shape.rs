@@ -82,7 +82,17 @@ impl Session {
                 values.seen = seen;
                 (values.shown_curve, values.is_left_coarse) = (values.chosen.clone(), false);
             }
-            (seen, values) => *values = seen.map(Values::new),
+            (seen, values) => {
+                let before = std::mem::replace(values, seen.map(Values::new));
+                self.go_on_after(before.is_some_and(|before| before.is_shaping()));
+            }
+        }
+    }
+
+    /// Tracing goes on that stood still for voxels that nobody waits for any more.
+    fn go_on_after(&mut self, was_shaping: bool) {
+        if was_shaping {
+            self.ask(Command::Pause(self.pause()));
         }
     }
 
@@ -93,14 +103,17 @@ impl Session {
 
     /// Shows the volume by another curve; `None`: as it was opened.
     pub fn set_curve(&mut self, curve: Option<ValueCurve>) {
-        let Some(values) = &mut self.values else { return };
+        let Some(values) = &self.values else { return };
         let curve = curve.map(|curve| curve.rounded(values.seen.range()));
-        if values.chosen == curve {
+        if values.chosen == curve || self.refuses_to_read_again() {
             return;
         }
+        let Some(values) = &mut self.values else { return };
         if curve.is_none() {
             // What the scene was opened with is read with the options of the command line.
+            let was_shaping = values.is_shaping();
             (values.chosen, values.shown, values.shaping, values.error) = (None, None, None, None);
+            self.go_on_after(was_shaping);
             self.ask(Command::LoadAgain);
             return;
         }
@@ -129,8 +142,12 @@ impl Session {
         values.shaping = Some(Shaping { loading, word, curve, is_coarse, since: Instant::now() });
     }
 
-    /// Takes voxels that were made. The view stays.
+    /// Takes voxels that were made. The view stays. Where coarse ones were edited meanwhile, these stay.
     pub fn take_reshaped(&mut self) {
+        if self.values.as_ref().is_some_and(Values::is_shaping) && self.refuses_to_read_again() {
+            self.stop_shaping();
+            return;
+        }
         let word = self.chosen_transfer();
         let Some(values) = &mut self.values else { return };
         let Some(shaping) = &mut values.shaping else { return };

@@ -3,11 +3,13 @@
 use crate::common::hand::{Hand, differing, floor, in_the_room};
 use crate::common::{film, house, in_room, lit, rendered, said, words};
 use std::sync::Arc;
-use voxtrace::glam::{IVec3, Vec3};
+use voxtrace::glam::{DVec3, IVec3, Vec3};
 use voxtrace::normals::Normals;
 use voxtrace::surroundings::Ground;
 use voxtrace::{PackedScene, VoxelGrid};
+use voxtrace_viewer::editing::recovery::{Left, Note};
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
+use voxtrace_viewer::measuring::{Kind, Measure};
 use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Leaving, Session};
 use voxtrace_viewer::surroundings::Surroundings;
@@ -286,4 +288,58 @@ fn a_new_scene_takes_its_first_voxels_on_the_walls_of_its_box_and_has_a_file_onc
     hand.session.end_saving(true);
     assert!(hand.session.bookmark_path().unwrap().starts_with(std::env::temp_dir()));
     assert!(words(&hand.session).contains("built.vxt"), "{}", words(&hand.session));
+}
+
+/// A hand on edits that a window left behind of a scene.
+fn recovered(source: &str, scene: &voxtrace::Scene) -> Hand {
+    let mut session = in_room("room.vxt");
+    let path = std::env::temp_dir().join("recovery").join("1.vxt");
+    let note = Note { name: scene.name.clone(), source: source.into(), saved_to: None };
+    session.recover(Left { note, scene: path.clone(), written: None });
+    session.take_commands();
+    session.show(path.display().to_string(), Arc::new(PackedScene::pack(scene).unwrap()));
+    assert_eq!(session.open.as_ref().unwrap().source, source);
+    Hand::at(session)
+}
+
+#[test]
+fn recovered_edits_are_not_lost_to_the_file_that_they_were_made_of() {
+    let mut hand = recovered("/x/house.vox", &house());
+    assert!(hand.session.has_unsaved_edits());
+    hand.asked.clear();
+    // The lamp is hidden in the file, and only there.
+    hand.session.set_visible(&[2], true);
+    hand.carry_out();
+    assert!(!hand.asked.contains(&Command::LoadAgain), "{:?}", hand.asked);
+    assert!(said(&mut hand.session).last().unwrap().contains("show it before the first edit"));
+}
+
+#[test]
+fn a_recovered_scene_without_a_file_has_no_place_until_it_is_saved() {
+    let mut hand = recovered("untitled", &crate::common::room());
+    assert!(hand.session.bookmark_path().is_none());
+    hand.session.act(Action::CopyCommand, None);
+    assert!(said(&mut hand.session).join(" ").contains("save it first"));
+    let path = std::env::temp_dir().join("recovered.vxt");
+    hand.session.begin_saving(&path);
+    hand.session.end_saving(true);
+    assert_eq!(hand.session.open.as_ref().unwrap().source, path.display().to_string());
+}
+
+#[test]
+fn what_was_measured_in_a_new_scene_is_kept_once_it_is_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut session = in_room("room.vxt");
+    session.show_new([16, 12, 8]);
+    let mut hand = Hand::at(session);
+    hand.click(Vec3::new(7.5, 6.5, 0.0));
+    hand.steps(1, 0);
+    let points = vec![DVec3::ZERO, DVec3::X];
+    let measure = Measure { name: "edge".into(), is_hidden: false, kind: Kind::Distance, points, component: None };
+    hand.session.measuring.list.insert(1, measure.clone());
+    hand.session.begin_saving(&folder.path().join("built.vxt"));
+    hand.session.end_saving(true);
+    assert_eq!(hand.session.measuring.list[&1], measure);
+    let kept = std::fs::read_to_string(folder.path().join("built.measurements.toml")).unwrap();
+    assert!(kept.contains("edge"), "{kept}");
 }

@@ -7,7 +7,7 @@ use voxtrace::glam::{DVec3, Vec2, Vec3};
 use voxtrace_viewer::cutting::{Cutting, Slice};
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key};
-use voxtrace_viewer::measuring::{Kind, Snap};
+use voxtrace_viewer::measuring::{Kind, Measure, Snap};
 use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::Session;
 
@@ -177,4 +177,25 @@ fn the_list_shows_hides_renames_exports_and_deletes() {
     assert_eq!(harness.state().measuring.tool, None, "it was on");
     harness.state_mut().act(Action::NextTool, None);
     assert_eq!(harness.state().measuring.tool, Some(Kind::Angle));
+}
+
+#[test]
+fn a_name_that_was_typed_is_kept_where_another_measurement_is_clicked() {
+    let (folder, mut session, _) = measuring(Kind::Distance);
+    for (number, name) in [(1, "one"), (2, "two")] {
+        let points = vec![DVec3::ZERO, DVec3::X * f64::from(number)];
+        let measure = Measure { name: name.into(), is_hidden: false, kind: Kind::Distance, points, component: None };
+        session.measuring.list.insert(number, measure);
+    }
+    session.measuring.selected = Some(1);
+    let mut harness = panels(session, Status::default());
+    harness.get_by_label("name of the measurement").focus();
+    harness.run_steps(2);
+    harness.get_by_label("name of the measurement").type_text(" more");
+    harness.run_steps(2);
+    press(&mut harness, "two: 2 vx");
+    let names: Vec<String> = harness.state().measuring.list.values().map(|measure| measure.name.clone()).collect();
+    assert_eq!((harness.state().measuring.selected, names), (Some(2), vec!["one more".to_owned(), "two".to_owned()]));
+    let kept = std::fs::read_to_string(folder.path().join("room.measurements.toml")).unwrap();
+    assert!(kept.contains("one more"), "{kept}");
 }

@@ -1,6 +1,7 @@
 //! Scripts of opening scenes: what is shown, from where, and what is left where nothing comes.
 
 use crate::common;
+use crate::common::hand::{floor, in_the_room};
 use crate::common::panel::small_panels;
 use crate::common::{in_room, packed, said};
 use egui_kittest::kittest::Queryable;
@@ -14,8 +15,8 @@ use voxtrace_viewer::keys::{Action, Key};
 use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::navigation::Mode;
 use voxtrace_viewer::render_settings::RenderSettings;
-use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{Loader, Reading, Told, Wanted};
+use voxtrace_viewer::session::{Command, Leaving, Session};
+use voxtrace_viewer::{Loader, Motion, Reading, Told, Wanted};
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
 
@@ -39,6 +40,11 @@ impl Loader for Words {
         tell(Told::Note(format!("a note about {source}")));
         match source {
             "good.vxt" => Ok(PackedScene::clone(&packed())),
+            "walk.vox" => {
+                let (base, animation) = (common::room(), voxtrace::animation::Animation::default());
+                tell(Told::Moves(Arc::new(Motion { base, animation, has_own_rate: false, keyframes: 3 })));
+                Ok(PackedScene::clone(&packed()))
+            }
             "bad.vxt" => Err("bad.vxt: the file ends too early".into()),
             _ => panic!("the loader has a fault"),
         }
@@ -151,4 +157,41 @@ fn what_is_said_stands_above_what_is_opened_and_beside_the_side_panel_in_a_small
     let [line, opened, side] = [text, "good.vxt", "New…"].map(|name| harness.get_by_label(name).rect());
     assert!(line.bottom() < opened.top() && line.left() >= 0.0, "{line} {opened}");
     assert!(line.right() < side.left(), "{line} {side}");
+}
+
+#[test]
+fn edits_that_were_given_up_for_a_scene_that_does_not_come_are_asked_for_again() {
+    let given_up = || {
+        let mut hand = in_the_room();
+        hand.click(floor(3, 4));
+        hand.steps(1, 0);
+        assert!(!hand.session.may_leave(Leaving::Load("bad.vxt".into())));
+        hand.session.discard_and_leave();
+        assert!(hand.session.may_leave(Leaving::Load("bad.vxt".into())));
+        hand
+    };
+    let mut hand = given_up();
+    load(&mut hand.session, "bad.vxt");
+    assert!(hand.session.has_unsaved_edits() && !hand.session.may_leave(Leaving::Quit), "the file is damaged");
+    let mut hand = given_up();
+    let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
+    hand.session.loading = Some(Loading::start(&loader, "good.vxt", Reading::default(), false, Arc::new(|| {})));
+    hand.session.act(Action::Cancel, None);
+    assert!(!hand.session.may_leave(Leaving::Quit), "opening was stopped");
+    let mut hand = given_up();
+    hand.click(floor(6, 4));
+    hand.steps(2, 0);
+    assert!(!hand.session.may_leave(Leaving::Quit), "there is another edit");
+}
+
+#[test]
+fn nothing_of_a_scene_that_moves_is_left_in_an_empty_one() {
+    let mut session = in_room("room.vxt");
+    load(&mut session, "walk.vox");
+    assert!(session.has_motion());
+    session.show_new([8; 3]);
+    assert!(!session.has_motion());
+    load(&mut session, "walk.vox");
+    load(&mut session, "good.vxt");
+    assert!(!session.has_motion());
 }

@@ -1,5 +1,6 @@
 //! Values of volumes, points and plans: what a hand changes about them is asked for, coarse first, and stands in the command.
 
+use crate::common::hand::{Hand, floor};
 use crate::common::panel::{choose, click, panels};
 use crate::common::{in_room, packed, room, said, words};
 use egui::accesskit::Role;
@@ -8,7 +9,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
-use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::glam::{DVec3, IVec3, Vec2, Vec3};
 use voxtrace::points::Attributes;
 use voxtrace::{PackedScene, Transform, Volume};
 use voxtrace_viewer::dialogs::{Dialog, PathField};
@@ -16,9 +17,10 @@ use voxtrace_viewer::engine::Pause;
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key};
 use voxtrace_viewer::load::{Loader, Loading, Reading, Told, Wanted};
+use voxtrace_viewer::measuring::{Component, Kind, Measure};
 use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::{Command, Session};
-use voxtrace_viewer::{PointsSeen, ValuesSeen};
+use voxtrace_viewer::{PointsChoice, PointsSeen, ValuesSeen};
 
 /// Gives a room whatever it is asked for, shows nothing above 250, and keeps how it was asked.
 #[derive(Default)]
@@ -225,6 +227,102 @@ fn the_camera_stays_on_the_map_where_other_points_lie_elsewhere_in_the_scene() {
     assert_eq!(moved.eye, camera.eye * 2.0 + Vec3::splat(40.0));
     session.show_again(with(90.0, 0.25));
     assert_eq!(session.navigator.camera().eye, camera.eye * 2.0 + Vec3::splat(40.0), "nothing moved");
+}
+
+#[test]
+fn what_was_measured_stays_in_its_place_where_the_voxels_have_another_size() {
+    use voxtrace::georeference::Georeference;
+    use voxtrace::scene::Unit;
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("a.laz").display().to_string();
+    let with = |origin: f64, size: f64, has_map: bool| {
+        let mut scene = room();
+        (scene.voxel_size, scene.unit) = (size, Unit::Metre);
+        scene.georeference = has_map.then(|| Georeference::of_grid(DVec3::splat(origin), size, ""));
+        Arc::new(PackedScene::pack(&scene).unwrap())
+    };
+    for (has_map, shift) in [(true, 40.0), (false, 0.0)] {
+        let mut session = in_room(&source);
+        session.show(source.clone(), with(100.0, 0.5, has_map));
+        let edges = [DVec3::X, DVec3::Y, DVec3::Z];
+        let component = Component { voxels: 1, volume: 1.0, exposed: 6.0, corner: DVec3::ONE, edges };
+        let (points, kind) = (vec![DVec3::ONE], Kind::Component);
+        let measure = Measure { name: "one".into(), is_hidden: false, kind, points, component: Some(component) };
+        session.measuring.list.insert(1, measure);
+        session.show_again(with(90.0, 0.25, has_map));
+        let measure = &session.measuring.list[&1];
+        let component = measure.component.as_ref().unwrap();
+        assert_eq!((measure.points[0], component.corner), (DVec3::splat(2.0 + shift), DVec3::splat(2.0 + shift)));
+        assert!((component.volume - 8.0).abs() < 1e-9 && (component.exposed - 24.0).abs() < 1e-9, "{component:?}");
+        assert_eq!((component.edges[2], component.voxels), (DVec3::Z * 2.0, 1));
+        // What is kept from now on is kept with the size of the new voxels.
+        session.change_measure(1, |measure| measure.name = "two".into());
+        let mut other = in_room(&source);
+        other.show(source.clone(), with(90.0, 0.25, has_map));
+        assert!(other.measuring.list[&1].points[0].distance(DVec3::splat(2.0 + shift)) < 1e-9);
+        std::fs::remove_file(folder.path().join("a.measurements.toml")).unwrap();
+    }
+}
+
+#[test]
+fn edits_are_not_lost_to_other_values_other_points_or_the_file_read_again() {
+    let scanner = Arc::new(Scanner::default());
+    let loader: Arc<dyn Loader> = Arc::clone(&scanner) as Arc<dyn Loader>;
+    let mut hand = Hand::on(opened(&loader));
+    // The file is on its way when the first edit is made, and so are all voxels of another curve.
+    let curve = hand.session.values.as_ref().unwrap().seen.automatic();
+    hand.session.set_curve(Some(curve.clone()));
+    hand.session.take_commands();
+    hand.session.reshape(&loader, Arc::new(|| {}));
+    hand.session.loading = Some(Loading::start(&loader, "scan.nii", Reading::default(), true, Arc::new(|| {})));
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    hand.asked.clear();
+    hand.session.take_reshaped();
+    assert!(!hand.session.values.as_ref().unwrap().is_shaping());
+    assert_eq!(hand.session.take_commands(), [Command::Pause(Pause::Nothing)], "what is edited is traced");
+    until(&mut hand.session, |session| {
+        session.take_loaded();
+        session.loading.is_none()
+    });
+    hand.session.set_curve(Some(curve));
+    hand.session.set_points(PointsChoice { min_points: Some(3), ..PointsChoice::default() });
+    assert_eq!(hand.session.take_commands(), [], "nothing is read again");
+    let chosen = hand.session.chosen_points().unwrap();
+    assert!(chosen.min_points.is_none() && hand.session.chosen_transfer().is_none(), "what is chosen is what is shown");
+    assert!(said(&mut hand.session).last().unwrap().contains("edits would be lost"));
+    assert_eq!(hand.material_at(IVec3::new(3, 4, 1)), Some(0));
+    // Without edits the file is read again.
+    let mut hand = Hand::on(opened(&loader));
+    hand.session.set_points(PointsChoice { min_points: Some(3), ..PointsChoice::default() });
+    assert_eq!(hand.session.take_commands(), [Command::LoadAgain]);
+}
+
+#[test]
+fn tracing_goes_on_where_nobody_waits_for_coarse_voxels_any_more() {
+    let scanner = Arc::new(Scanner::default());
+    let loader: Arc<dyn Loader> = Arc::clone(&scanner) as Arc<dyn Loader>;
+    let shaping = || {
+        let mut session = opened(&loader);
+        let curve = session.values.as_ref().unwrap().seen.automatic();
+        session.set_curve(Some(curve));
+        assert!(session.take_commands().contains(&Command::Pause(Pause::Everything)));
+        session.reshape(&loader, Arc::new(|| {}));
+        session
+    };
+    let mut session = shaping();
+    session.set_curve(None);
+    assert_eq!(session.take_commands(), [Command::Pause(Pause::Nothing), Command::LoadAgain]);
+    let mut session = shaping();
+    session.loading = Some(Loading::start(&loader, "other.nii", Reading::default(), false, Arc::new(|| {})));
+    until(&mut session, |session| {
+        session.take_loaded();
+        session.loading.is_none()
+    });
+    assert!(session.take_commands().contains(&Command::Pause(Pause::Nothing)), "another scene is traced");
+    let mut session = shaping();
+    session.show_new([8; 3]);
+    assert!(session.take_commands().contains(&Command::Pause(Pause::Nothing)), "and an empty one");
 }
 
 #[test]

@@ -139,12 +139,12 @@ impl Session {
         let saving = self.editing.as_mut().and_then(|editing| editing.saving.take());
         if let (true, Some(saving), Some(editing)) = (is_written, saving, &mut self.editing) {
             // What was begun here has a place from now on, and with it bookmarks and measurements.
-            if let Some(open) =
-                self.open.as_mut().filter(|open| open.canvas.is_some() && open.source == crate::canvas::NAME)
-            {
-                open.source = saving.path.display().to_string();
-            }
+            let untitled = self.open.as_mut().filter(|open| open.source == crate::canvas::NAME);
+            let gets_place = untitled.map(|open| open.source = saving.path.display().to_string()).is_some();
             editing.saved = Some(saving);
+            if gets_place {
+                self.keep_measures();
+            }
         }
         if std::mem::take(&mut self.is_leaving_saved)
             && let Some(leaving) = self.leaving.take()
@@ -217,7 +217,10 @@ impl Session {
     /// The scene that has come was left behind by a window: it goes on as the scene that was edited there.
     pub(crate) fn take_recovered(&mut self) {
         let Some(open) = &mut self.open else { return };
-        let is_that = |left: &Left| Path::new(&open.source) == left.scene;
+        let is_that = |left: &Left| {
+            let whole = std::path::absolute(&left.scene);
+            Path::new(&open.source) == left.scene || whole.is_ok_and(|whole| Path::new(&open.source) == whole)
+        };
         let Some(left) = self.recovering.take_if(|left| is_that(left)) else { return };
         open.source = left.note.source.clone();
         self.editing = Some(crate::editing::Editing { is_recovered: true, ..Default::default() });
