@@ -28,6 +28,12 @@ fn kind(binding: u32) -> vk::DescriptorType {
     }
 }
 
+/// Storage buffers that every shader is given, whether it reads them or not.
+pub fn storage_bindings() -> u32 {
+    let all = binding::CELLS..=binding::LAST;
+    all.filter(|&binding| kind(binding) == vk::DescriptorType::STORAGE_BUFFER).count() as u32
+}
+
 impl Bindings {
     pub fn new(device: &Arc<Device>) -> Result<Self, TraceError> {
         let mut bindings = Self {

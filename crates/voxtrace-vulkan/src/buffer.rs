@@ -69,8 +69,8 @@ impl Buffer {
 
     /// A storage buffer in the device's memory.
     pub fn storage(device: &Arc<Device>, name: &str, size: u64) -> Result<Self, TraceError> {
-        let limit = device.info().limits.max_storage_buffer_range;
-        if size > limit {
+        let limit = device.info().limits.max_storage_bytes();
+        if Self::rounded(size) > limit {
             return Err(TraceError::OutOfMemory { needed: size, available: limit });
         }
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER

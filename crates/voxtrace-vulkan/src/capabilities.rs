@@ -45,10 +45,25 @@ pub struct Limits {
     pub max_allocation_bytes: u64,
     /// Nanoseconds of one tick of the device's clock; 0 where the queue has no clock.
     pub timestamp_period_ns: f32,
+    /// Bits of that clock: past the last of them it begins anew at 0, on some GPUs once an hour.
+    pub timestamp_bits: u32,
     /// Invocations of a subgroup.
     pub subgroup_size: u32,
     /// Alignment of offsets in uniform buffers, bytes.
     pub uniform_alignment: u64,
+}
+
+impl Limits {
+    /// Largest storage buffer, bytes: it must lie in one allocation, which some drivers bound lower.
+    pub(crate) fn max_storage_bytes(&self) -> u64 {
+        self.max_storage_buffer_range.min(self.max_allocation_bytes)
+    }
+
+    /// Milliseconds between two readings of the device's clock.
+    pub fn milliseconds_between(&self, first: u64, last: u64) -> f64 {
+        let all_bits = u64::MAX.checked_shr(64 - self.timestamp_bits.min(64)).unwrap_or(0);
+        (last.wrapping_sub(first) & all_bits) as f64 * f64::from(self.timestamp_period_ns) * 1e-6
+    }
 }
 
 /// Limits of ray tracing, 0 where it is missing.
@@ -133,8 +148,10 @@ impl DeviceInfo {
     }
 }
 
-/// Extensions that a device gets where it has them, whatever the traversal.
-pub(crate) const WELCOME: [&CStr; 2] = [ext::memory_budget::NAME, ext::device_fault::NAME];
+/// Extensions that a device gets where it has them, whatever the traversal. The last one must be enabled where it is offered: by drivers that are not
+/// Vulkan in full, such as MoltenVK.
+pub(crate) const WELCOME: [&CStr; 3] =
+    [ext::memory_budget::NAME, ext::device_fault::NAME, khr::portability_subset::NAME];
 
 /// Why a device lacks a traversal, `None` where it has it.
 pub fn missing(info: &DeviceInfo, traversal: Traversal) -> Option<&str> {
@@ -143,5 +160,29 @@ pub fn missing(info: &DeviceInfo, traversal: Traversal) -> Option<&str> {
         Traversal::Walk => info.walk_missing.as_deref(),
         Traversal::Query => info.query_missing.as_deref(),
         Traversal::Pipeline => info.pipeline_missing.as_deref(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clock_that_begins_anew_between_two_readings_gives_the_time_between_them() {
+        let of = |timestamp_bits| Limits { timestamp_period_ns: 2.0, timestamp_bits, ..Limits::default() };
+        for bits in [36, 63, 64] {
+            let last = u64::MAX >> (64 - bits);
+            assert_eq!(of(bits).milliseconds_between(5, 1_000_005), 2.0, "{bits} bits");
+            assert_eq!(of(bits).milliseconds_between(last - 499_999, 500_000), 2.0, "{bits} bits");
+        }
+        assert_eq!(of(0).milliseconds_between(5, 7), 0.0);
+    }
+
+    #[test]
+    fn a_storage_buffer_is_no_larger_than_a_binding_and_an_allocation() {
+        let of = |max_storage_buffer_range, max_allocation_bytes| {
+            Limits { max_storage_buffer_range, max_allocation_bytes, ..Limits::default() }.max_storage_bytes()
+        };
+        assert_eq!((of(u32::MAX.into(), 1 << 31), of(1 << 27, 1 << 31)), (1 << 31, 1 << 27));
     }
 }

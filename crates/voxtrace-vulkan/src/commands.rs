@@ -357,8 +357,8 @@ impl Submitter {
 
     /// The times of both parts of a submit.
     fn milliseconds(&self, done: &InFlight) -> Result<(f64, Option<f64>), TraceError> {
-        let period = f64::from(self.device.info().limits.timestamp_period_ns);
-        if period == 0.0 {
+        let limits = &self.device.info().limits;
+        if limits.timestamp_period_ns == 0.0 {
             return Ok((done.submitted.elapsed().as_secs_f64() * 1e3, done.has_then.then_some(0.0)));
         }
         let mut ticks = [0u64; TIMES as usize];
@@ -367,7 +367,7 @@ impl Submitter {
         // SAFETY: the submit that writes these queries is over.
         unsafe { self.device.raw.get_query_pool_results(self.queries, TIMES * done.slot as u32, ticks, flags) }
             .context(done.step)?;
-        let between = |first: usize| ticks[first + 1].wrapping_sub(ticks[first]) as f64 * period * 1e-6;
+        let between = |first: usize| limits.milliseconds_between(ticks[first], ticks[first + 1]);
         Ok((between(0), done.has_then.then(|| between(1))))
     }
 }

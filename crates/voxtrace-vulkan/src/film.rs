@@ -36,7 +36,7 @@ pub struct DeviceFilm {
 impl DeviceFilm {
     /// A black film of a frame.
     pub fn new(device: &Arc<Device>, submitter: &mut Submitter, frame: &Frame) -> Result<Self, TraceError> {
-        let limit = device.info().limits.max_storage_buffer_range.min(u64::from(u32::MAX));
+        let limit = device.info().limits.max_storage_bytes().min(u64::from(u32::MAX));
         let mut parts = Vec::new();
         for region in parts_of(frame.region, limit / PIXEL_BYTES) {
             let pixels = Buffer::storage(device, "film", region.pixels() as u64 * PIXEL_BYTES)?;

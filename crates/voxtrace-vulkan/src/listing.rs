@@ -1,5 +1,6 @@
 //! The devices of a machine, as their drivers describe them.
 
+use crate::bindings::storage_bindings;
 use crate::capabilities::{DeviceInfo, DeviceKind, Limits, RayTracing};
 use crate::errors::ResultExt;
 use crate::vulkan::{Options, Vulkan};
@@ -28,14 +29,17 @@ fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Resu
     let extensions = Extensions::of(instance, physical)?;
     let properties = Properties::of(instance, physical, &extensions);
     let base = properties.base;
-    let features = Features::of(instance, physical, &extensions, base.api_version);
+    let features = Features {
+        storage_buffers: storage_buffers(&base.limits),
+        ..Features::of(instance, physical, &extensions, base.api_version)
+    };
     // SAFETY: the physical device is one of this instance.
     let families = unsafe { instance.get_physical_device_queue_family_properties(physical) };
     // SAFETY: as above.
     let memory = unsafe { instance.get_physical_device_memory_properties(physical) };
     let family = families.iter().position(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE));
     let own_family = family.map(|family| families[family]).unwrap_or_default();
-    let has_clock = family.is_some_and(|family| families[family].timestamp_valid_bits > 0);
+    let timestamp_bits = own_family.timestamp_valid_bits;
     let [walk_missing, query_missing, pipeline_missing] = missing(base.api_version, family.is_some(), &features);
     let heaps = &memory.memory_heaps[..memory.memory_heap_count as usize];
     let own = heaps.iter().filter(|heap| heap.flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL));
@@ -58,7 +62,8 @@ fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Resu
         ),
         memory_bytes: own.map(|heap| heap.size).max().unwrap_or(0),
         limits: Limits {
-            timestamp_period_ns: if has_clock { base.limits.timestamp_period } else { 0.0 },
+            timestamp_period_ns: if timestamp_bits > 0 { base.limits.timestamp_period } else { 0.0 },
+            timestamp_bits,
             ..properties.limits
         },
         ray_tracing: properties.ray_tracing,
@@ -145,6 +150,7 @@ impl Properties {
                 max_workgroup_invocations: base.limits.max_compute_work_group_invocations,
                 max_allocation_bytes: maintenance.max_memory_allocation_size,
                 timestamp_period_ns: 0.0,
+                timestamp_bits: 0,
                 subgroup_size: subgroup.subgroup_size,
                 uniform_alignment: base.limits.min_uniform_buffer_offset_alignment,
             },
@@ -162,9 +168,15 @@ impl Properties {
     }
 }
 
+/// Most storage buffers that a shader can be given in one descriptor set.
+fn storage_buffers(limits: &vk::PhysicalDeviceLimits) -> u32 {
+    limits.max_per_stage_descriptor_storage_buffers.min(limits.max_descriptor_set_storage_buffers)
+}
+
 /// What a driver can do; what it was not asked for, it cannot.
 #[derive(Clone, Copy)]
 struct Features {
+    storage_buffers: u32,
     timeline_semaphores: bool,
     scalar_layout: bool,
     buffer_addresses: bool,
@@ -196,6 +208,7 @@ impl Features {
         // returns.
         unsafe { instance.get_physical_device_features2(physical, &mut features) };
         Self {
+            storage_buffers: 0,
             timeline_semaphores: features12.timeline_semaphore == vk::TRUE,
             scalar_layout: features12.scalar_block_layout == vk::TRUE,
             buffer_addresses: features12.buffer_device_address == vk::TRUE,
@@ -211,7 +224,11 @@ fn missing(api_version: u32, can_compute: bool, features: &Features) -> [Option<
     let lacks = |is_there: bool, what: &str| (!is_there).then(|| what.to_owned());
     let walk = lacks(api_version >= vk::API_VERSION_1_2, "the driver has no Vulkan 1.2")
         .or_else(|| lacks(can_compute, "no queue can compute"))
-        .or_else(|| lacks(features.timeline_semaphores, "no timeline semaphores"));
+        .or_else(|| lacks(features.timeline_semaphores, "no timeline semaphores"))
+        .or_else(|| {
+            let (has, needed) = (features.storage_buffers, storage_bindings());
+            lacks(has >= needed, &format!("a shader can have {has} storage buffers, and needs {needed}"))
+        });
     let acceleration = walk
         .clone()
         .or_else(|| lacks(features.acceleration, "no VK_KHR_acceleration_structure"))
@@ -228,6 +245,7 @@ mod tests {
     #[test]
     fn a_traversal_that_is_missing_names_the_first_thing_that_it_lacks() {
         let all = Features {
+            storage_buffers: storage_bindings(),
             timeline_semaphores: true,
             scalar_layout: true,
             buffer_addresses: true,
@@ -243,6 +261,8 @@ mod tests {
         assert_eq!(of(vk::API_VERSION_1_1, false, all), ["the driver has no Vulkan 1.2"; 3]);
         assert_eq!(of(new, false, all), ["no queue can compute"; 3]);
         assert_eq!(of(new, true, Features { timeline_semaphores: false, ..all }), ["no timeline semaphores"; 3]);
+        let few = Features { storage_buffers: 24, ..all };
+        assert_eq!(of(new, true, few), ["a shader can have 24 storage buffers, and needs 27"; 3]);
         let no_structure = Features { acceleration: false, buffer_addresses: false, queries: false, ..all };
         assert_eq!(
             of(new, true, no_structure),

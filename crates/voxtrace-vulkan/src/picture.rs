@@ -82,7 +82,7 @@ impl Picture {
     pub fn new(device: &Arc<Device>, width: u32, height: u32, is_written_by_host: bool) -> Result<Self, TraceError> {
         let pixels = u64::from(width) * u64::from(height);
         let bytes = pixels * PIXEL_BYTES;
-        let limit = device.info().limits.max_storage_buffer_range;
+        let limit = device.info().limits.max_storage_bytes();
         if bytes > limit {
             return Err(TraceError::OutOfMemory { needed: bytes, available: limit });
         }

@@ -158,7 +158,7 @@ impl RealTime {
         let memory = 4 * MEMORY_WORDS * count + 16 * SQUARE_LISTS * squares;
         let slots = u64::from(slots((width, height), in_waves));
         let scratch = 4 * SCRATCH_WORDS * slots;
-        let limit = self.device.info().limits.max_storage_buffer_range;
+        let limit = self.device.info().limits.max_storage_bytes();
         if memory.max(scratch) > limit {
             return Err(TraceError::OutOfMemory { needed: memory.max(scratch), available: limit });
         }
@@ -310,8 +310,8 @@ impl RealTime {
 
     /// The milliseconds of each step of a frame that is over.
     pub fn milliseconds(&self, steps: &[Step]) -> Result<Vec<(&'static str, f64)>, TraceError> {
-        let period = f64::from(self.device.info().limits.timestamp_period_ns);
-        if period == 0.0 {
+        let limits = &self.device.info().limits;
+        if limits.timestamp_period_ns == 0.0 {
             return Ok(Vec::new());
         }
         let mut ticks = vec![0u64; steps.len() + 1];
@@ -321,8 +321,7 @@ impl RealTime {
             .context("real-time light")?;
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
         for (step, pair) in steps.iter().zip(ticks.windows(2)) {
-            let ms = pair[1].wrapping_sub(pair[0]) as f64 * period * 1e-6;
-            add(&mut sums, step.name, ms);
+            add(&mut sums, step.name, limits.milliseconds_between(pair[0], pair[1]));
         }
         Ok(sums)
     }

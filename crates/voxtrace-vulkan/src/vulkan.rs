@@ -3,7 +3,7 @@
 
 #[cfg(feature = "faults")]
 use crate::faults::{self, Faults};
-use ash::{ext, vk};
+use ash::{ext, khr, vk};
 use std::ffi::{CStr, c_void};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -126,8 +126,16 @@ impl Vulkan {
             extensions.push(ext::debug_utils::NAME.as_ptr());
         }
         extensions.extend(options.surface_extensions.iter().map(|name| name.as_ptr()));
+        // Without it loaders leave out drivers that are not Vulkan in full: on macOS the only one. What such a device lacks is asked for as of any other.
+        let flags = if offers(&entry, khr::portability_enumeration::NAME) {
+            extensions.push(khr::portability_enumeration::NAME.as_ptr());
+            vk::InstanceCreateFlags::ENUMERATE_PORTABILITY_KHR
+        } else {
+            vk::InstanceCreateFlags::empty()
+        };
         let mut messenger = messenger_info(&messages);
         let mut info = vk::InstanceCreateInfo::default()
+            .flags(flags)
             .application_info(&application)
             .enabled_layer_names(&layers)
             .enabled_extension_names(&extensions);
@@ -175,6 +183,13 @@ impl Vulkan {
     pub fn instance(&self) -> &ash::Instance {
         &self.instance
     }
+}
+
+/// Whether the loader has an extension of instances.
+fn offers(entry: &ash::Entry, extension: &CStr) -> bool {
+    // SAFETY: the loader is loaded, and no layer is named.
+    let offered = unsafe { entry.enumerate_instance_extension_properties(None) }.unwrap_or_default();
+    offered.iter().any(|offered| offered.extension_name_as_c_str() == Ok(extension))
 }
 
 impl Drop for Vulkan {

@@ -58,7 +58,7 @@ impl Waves {
     pub fn room_on(device: &Device, variant: Variant, held: u64) -> u32 {
         let rows = Self::rows_of(variant);
         let limits = &device.info().limits;
-        let of_buffer = limits.max_storage_buffer_range / (16 * rows);
+        let of_buffer = limits.max_storage_bytes() / (16 * rows);
         let of_memory = (device.available_bytes() + held) / SHARE / (16 * rows + 4 * QUEUES);
         let of_launch = u64::from(limits.max_workgroups) * u64::from(WORKGROUP);
         of_buffer.min(of_memory).min(of_launch).min(u32::MAX.into()) as u32

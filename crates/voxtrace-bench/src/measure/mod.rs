@@ -133,6 +133,8 @@ fn begin(
     let name = || Instructions::chosen().name().to_owned();
     measured.walked = matches!(backend, Backend::Cpu(_)).then(|| Walked { instructions: name(), ..Walked::default() });
     backend.tracer().set_scene(scene)?;
+    // That the scene does not fit the device is no loss of it, which notes of a frame mean.
+    measured.notes.extend(backend.tracer().take_notes());
     measured.memory = backend.memory();
     Ok(backend)
 }
@@ -180,9 +182,9 @@ impl Subject<'_> {
         Ok(())
     }
 
-    /// Renders the frames of a turn; of few frames the first turns have one each.
+    /// Renders the frames of a turn.
     fn turn(&mut self, turn: u32, turns: u32, monitor: &mut dyn Monitor) -> Result<(), TraceError> {
-        let share = |all: u32| (all * (turn + 1)).div_ceil(turns) - (all * turn).div_ceil(turns);
+        let share = |all: u32| share_of_turn(all, turn, turns);
         if turn == 0 {
             self.measured.clocks[0] = self.clocks();
         }
@@ -232,10 +234,25 @@ impl Subject<'_> {
     }
 }
 
+/// How many of all frames a turn has; of few frames the first turns have one each.
+fn share_of_turn(all: u32, turn: u32, turns: u32) -> u32 {
+    let until = |turn: u32| (u64::from(all) * u64::from(turn)).div_ceil(turns.into());
+    (until(turn + 1) - until(turn)) as u32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::plan;
+
+    #[test]
+    fn turns_share_any_number_of_frames_evenly() {
+        for all in [0, 1, 3, 8, 4096, 1_000_000_000, u32::MAX] {
+            let shares: Vec<u32> = (0..TURNS).map(|turn| share_of_turn(all, turn, TURNS)).collect();
+            assert_eq!(shares.iter().map(|&share| u64::from(share)).sum::<u64>(), u64::from(all));
+            assert!(shares.iter().all(|share| share.abs_diff(all / TURNS) <= 1), "{all}: {shares:?}");
+        }
+    }
 
     #[test]
     fn cells_on_the_processor_take_turns_and_those_on_a_device_stand_alone() {

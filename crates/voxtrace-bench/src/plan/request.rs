@@ -33,6 +33,17 @@ fn usual_bounces(integrator: Integrator) -> u32 {
     }
 }
 
+/// Leaves out repetitions: what is there twice is measured once.
+fn keep_first<T: Copy + PartialEq>(list: &mut Vec<T>) {
+    let mut seen = Vec::new();
+    list.retain(|item| {
+        !seen.contains(item) && {
+            seen.push(*item);
+            true
+        }
+    });
+}
+
 /// What is asked for; what is `None` or empty has a default that suits the device.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
@@ -125,19 +136,14 @@ impl Request {
     /// The plan on a device; `named` are the cells that are asked for.
     pub(crate) fn plan(&self, named: Vec<Cell>, device: Option<&DeviceInfo>) -> Plan {
         let mut cells = if named.is_empty() { cell::planned(device, self.full) } else { named };
-        let mut seen = Vec::new();
-        cells.retain(|cell| {
-            !seen.contains(cell) && {
-                seen.push(*cell);
-                true
-            }
-        });
+        keep_first(&mut cells);
         let is_hardware = device.is_some_and(|device| device.kind != DeviceKind::Cpu);
         let is_slow = device.is_some() && !is_hardware;
         let (width, height) = self.size.unwrap_or(if self.quick && is_slow { QUICK_SOFTWARE_SIZE } else { STUDY_SIZE });
         let usual = || usual_sweep(is_hardware).filter(|_| !self.quick).collect();
         let mut sweep: Vec<u64> = self.sweep.clone().unwrap_or_else(usual);
         sweep.retain(|&size| size > 0);
+        keep_first(&mut sweep);
         let integrator = self.integrator.unwrap_or(Integrator::Essay);
         Plan {
             scenes: self.entries().iter().map(SceneEntry::title).collect(),
@@ -225,6 +231,8 @@ mod tests {
             |cells: &[&str]| Request { cells: cells.iter().map(ToString::to_string).collect(), ..Request::default() };
         let twice = request(&["cpu", "walk", "cpu"]);
         assert_eq!(twice.plan(twice.named_cells().unwrap(), None).cells.len(), 2);
+        let sizes = Request { sweep: Some(vec![7000, 5000, 0, 7000]), ..Request::default() };
+        assert_eq!(sizes.plan(Vec::new(), None).sweep, [7000, 5000], "or some of it would never be measured");
         assert!(request(&["cpu", "gpu"]).named_cells().is_err());
         assert!(request(&["cpu"]).is_cpu_alone() && !twice.is_cpu_alone() && !request(&[]).is_cpu_alone());
     }

@@ -6,9 +6,19 @@ use crate::numbers::{Speeds, Summary};
 use crate::plan::Cell;
 use voxtrace_vulkan::AccelReport;
 
-/// Names of the device's allocations that hold no scene, see [`Row::scene_bytes`].
-const SCENE_ARRAYS: [&str; 7] =
-    ["cells", "bricks", "voxel materials", "grids", "instances", "instance nodes", "materials"];
+/// Names of the device's allocations that hold the scene, see [`Row::scene_bytes`].
+const SCENE_ARRAYS: [&str; 9] = [
+    "cells",
+    "bricks",
+    "voxel materials",
+    "grids",
+    "instances",
+    "instance nodes",
+    "materials",
+    // Where the scene does not fit the device, cells, bricks and materials of voxels are in these.
+    "pages",
+    "page table",
+];
 
 /// One cell of one scene.
 #[derive(Clone, Debug)]
@@ -92,4 +102,30 @@ pub struct SweepRow {
     /// Bytes of what is traced.
     pub bytes: u64,
     pub failure: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::Memory;
+    use voxtrace_vulkan::Traversal;
+
+    #[test]
+    fn a_scene_in_pages_takes_the_memory_of_its_pages() {
+        let bytes = [("pages", 4096), ("page table", 96), ("grids", 64), ("film", 1 << 20)];
+        let bytes = bytes.map(|(name, bytes)| (name.to_owned(), bytes)).into();
+        let measured = Measured { memory: Some(Memory { bytes, ..Memory::default() }), ..Measured::default() };
+        let facts = SceneFacts {
+            name: "city".into(),
+            voxels: 1000,
+            voxels_placed: 1000,
+            hash: "0".into(),
+            camera: "default".into(),
+            packed_bytes: 9000,
+            exact_figure: None,
+            emulation: None,
+        };
+        let row = Row::new(0, Cell::new(Traversal::Walk, None), measured);
+        assert_eq!(row.traced_bytes(&facts), 4096 + 96 + 64);
+    }
 }

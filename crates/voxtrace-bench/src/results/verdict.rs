@@ -148,7 +148,12 @@ fn proofs(verdicts: &[(&Row, Verdict)]) -> String {
     let (lost, wrong) = (count(|verdict| !verdict.is_stable), count(|verdict| verdict.is_conformant == Some(false)));
     let proved: usize = verdicts.iter().filter_map(|(row, _)| row.summary()).map(|summary| summary.frames).sum();
     match (lost, wrong) {
-        (0, 0) => format!("; all {proved} frames are proved to have been rendered, with the right voxels"),
+        (0, 0) => {
+            // A cell that was interrupted was not compared.
+            let is_compared = verdicts.iter().all(|(_, verdict)| verdict.is_conformant.is_some());
+            let voxels = if is_compared { ", with the right voxels" } else { "" };
+            format!("; all {proved} frames are proved to have been rendered{voxels}")
+        }
         (0, _) => "; but it finds wrong voxels".into(),
         (_, 0) => "; but it is not stable: frames are not proved to have been rendered".into(),
         _ => "; but frames are not proved to have been rendered, and wrong voxels are found".into(),
@@ -287,6 +292,9 @@ mod tests {
             measured.conformance = Some(Conformance { rays: 1000, wrong: 1, ..Conformance::default() });
         });
         assert!(sentence(&wrong).starts_with("No: ") && sentence(&wrong).contains("wrong voxels"));
+        let unknown = sentence(&results(10.0, |measured| measured.conformance = None));
+        assert!(unknown.contains("all 200 frames are proved"), "{unknown}");
+        assert!(!unknown.contains("right voxels"), "nobody looked: {unknown}");
         let nothing = results(10.0, |measured| measured.frames.clear());
         assert_eq!(sentence(&nothing), "Nothing has been measured yet.");
     }

@@ -95,7 +95,7 @@ impl Pages {
         geometry: &Geometry,
         budget: u64,
     ) -> Result<Self, TraceError> {
-        let most = device.info().limits.max_storage_buffer_range;
+        let most = device.info().limits.max_storage_bytes();
         let plan = |has_lights| Plan::new(geometry, has_lights, budget, most);
         let has_lights = Self::light_bytes_of(geometry) > budget / 2 || plan(false).room <= FEWEST;
         let Plan { starts, count, room, whole } = plan(has_lights);

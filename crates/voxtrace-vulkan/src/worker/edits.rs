@@ -73,7 +73,14 @@ impl Worker {
         if has_moved || bounds {
             placed.bind(&self.bindings);
         }
-        let accel = if has_new_bounds { Some(self.accel_of_grids(scene)?) } else { accel };
+        let accel = match has_new_bounds {
+            true => {
+                // The build may fail before it waits, and what is being written would be freed.
+                self.submitter.wait_for_quiet()?;
+                Some(self.accel_of_grids(scene)?)
+            }
+            false => accel,
+        };
         if let Some(accel) = accel.as_ref().filter(|_| bounds) {
             self.bind_accel(accel);
         }
