@@ -110,7 +110,7 @@ enum Verb {
 }
 
 fn main() -> ExitCode {
-    match parse_arguments().and_then(|cli| cli.map_or(Ok(()), run)) {
+    match parse_arguments().and_then(|cli| cli.map_or(Ok(()), run)).and_then(|()| stdout::lost()) {
         Ok(()) => ExitCode::from(failure::OK),
         Err(failure) => {
             let _ = writeln!(std::io::stderr(), "{}", failure.line());

@@ -95,8 +95,10 @@ impl PictureArgs {
         for path in &paths {
             check_writable(path).map_err(|error| Failure::output(path, &error))?;
         }
-        paths.sort();
-        if let Some(pair) = paths.windows(2).find(|pair| pair[0] == pair[1]) {
+        // `a.png` and `./a.png` are one file.
+        let place = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.into());
+        paths.sort_by_cached_key(|path| place(path));
+        if let Some(pair) = paths.windows(2).find(|pair| place(pair[0]) == place(pair[1])) {
             return Err(Failure::usage(format!("{} is written twice", pair[0].display())));
         }
         Ok(())
@@ -105,6 +107,11 @@ impl PictureArgs {
     /// Whether a picture is written, not films alone.
     pub fn has_picture(&self) -> bool {
         self.output.iter().any(|path| PictureFormat::of(path).is_some_and(|format| format != PictureFormat::Film))
+    }
+
+    /// Whether an output holds more than the picture: AOVs, and the light of groups.
+    pub fn has_layers(&self) -> bool {
+        self.output.iter().any(|path| PictureFormat::of(path).is_some_and(|format| format != PictureFormat::Png))
     }
 
     /// Writes a film to one file, in the format that its name says.

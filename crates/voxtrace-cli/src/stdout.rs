@@ -1,9 +1,24 @@
 //! Results, on stdout.
 
-use std::io::Write;
+use crate::failure::{Failure, Kind, reason};
+use std::io::{ErrorKind, Write};
+use std::sync::OnceLock;
 
-/// Prints to stdout. A reader that has gone away (`voxtrace … | head`) is no failure.
+/// What stdout said when something could not be printed: the first time.
+static LOST: OnceLock<std::io::Error> = OnceLock::new();
+
+/// Prints to stdout. A reader that has gone away (`voxtrace … | head`) is no failure; of any other, [`lost`] tells.
 pub fn print(text: &str) {
     let mut stdout = std::io::stdout().lock();
-    let _ = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => drop(LOST.set(error)),
+        _ => {}
+    }
+}
+
+/// A failure where results were lost: a plan on a full disk must not pass for a whole one.
+pub fn lost() -> Result<(), Failure> {
+    LOST.get().map_or(Ok(()), |error| {
+        Err(Failure::new(Kind::Output, format!("cannot write to standard output: {}", reason(error))))
+    })
 }

@@ -45,6 +45,9 @@ impl CompareArgs {
             }
             [is_a, _] => {
                 let other = if is_a { &self.b } else { &self.a };
+                // What is not there is no file of another kind.
+                std::fs::metadata(other)
+                    .map_err(|error| Failure::input(format!("cannot read {}: {}", other.display(), reason(&error))))?;
                 Err(Failure::input(format!("{}: this is no PNG, EXR or film", other.display()))
                     .hint("compare two pictures, or two reports of `voxtrace bench` without -o"))
             }

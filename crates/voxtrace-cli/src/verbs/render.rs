@@ -226,6 +226,12 @@ impl RenderArgs {
             report.remark(&format!("nothing to do: {} there already", counted(jobs.len() as u64, "picture")));
             return Ok(());
         }
+        if self.film.checkpoint.is_none() && !self.picture.has_layers() {
+            let asked = [(self.quality.aovs, "--aovs"), (self.quality.light_groups, "--light-groups")];
+            for (_, option) in asked.iter().filter(|(is_asked, _)| *is_asked) {
+                report.warn(&format!("{option} is for EXR and films, and there is none: add -o NAME.exr"));
+            }
+        }
         self.render_all(&jobs, stage.as_ref(), (scene, stamp), surroundings.background, resume, report)
     }
 

@@ -75,6 +75,10 @@ fn what_cannot_be_compared_is_refused_in_one_line() {
     assert!(folder.fail(&["compare", "a.png", "small.png"], 5).contains("40x30 and 20x30"));
     assert!(folder.fail(&["compare", "a.png", "room.vox"], 3).contains("room.vox: this is no PNG, EXR or film"));
     assert!(folder.fail(&["compare", "room.vox", "a.png"], 3).contains("room.vox"));
+    for pair in [["a.png", "none.png"], ["none.png", "a.png"]] {
+        let line = folder.fail(&[&["compare"], &pair[..]].concat(), 3);
+        assert!(line.contains("cannot read none.png: no such file or directory"), "{line}");
+    }
     assert!(folder.fail(&["compare", "a.png", "a.png", "-o", "map.exr"], 2).contains(".png"));
     assert!(folder.fail(&["compare", "a.png", "a.vxf", "-o", "a.png"], 4).contains("a.png"));
     let whole = folder.bytes("a.png");

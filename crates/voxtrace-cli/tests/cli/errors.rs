@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 63] = [
+    let cases: [(&[&str], &str); 64] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -65,6 +65,7 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "-o", "a.png", "--bit-depth", "32"], "8 or 16 bits"),
         (&["render", "room.vox", "-o", "a.exr", "--bit-depth", "8"], "16 or 32 bits"),
         (&["render", "room.vox", "-o", "a.png", "-o", "a.png"], "written twice"),
+        (&["render", "room.vox", "-o", "a.vxf", "--checkpoint", "./a.vxf"], "written twice"),
         (&["render", "room.vox", "--threads", "0"], "--threads"),
         (&["render", "room.vox", "--material", "3"], "NUMBER=COLOR"),
         (&["render", "room.vox", "--material", "3=#ffffff,-1"], "not below 0"),
@@ -152,6 +153,25 @@ fn a_full_disk_costs_one_file_and_not_the_others() {
     let text = stderr(&output);
     assert!(text.contains("error: cannot write full.png: no space left on device"), "{text}");
     assert_eq!(folder.png("good.png").width, 40);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn results_that_a_full_disk_loses_have_code_4_and_a_reader_that_went_away_has_none() {
+    use crate::common::stderr;
+    let folder = Folder::new();
+    let plan = ["plan", "room.vox", "--parts", "2", "-o", "a.png", "--spp", "4"];
+    for arguments in [&plan[..], &["info", "room.vox", "--json"], &["formats"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = folder.command(arguments).stdout(full).output().unwrap();
+        let text = stderr(&output);
+        assert_eq!(output.status.code(), Some(4), "{arguments:?}: {text}");
+        assert!(text.contains("error: cannot write to standard output: no space left on device"), "{text}");
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = folder.command(arguments).stdout(writer).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    }
 }
 
 #[test]

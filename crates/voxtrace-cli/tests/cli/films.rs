@@ -1,6 +1,6 @@
 //! Checkpoints, resuming and merging: however a film came to be, its bytes are the same.
 
-use crate::common::Folder;
+use crate::common::{Folder, SMALL, stderr};
 use voxtrace::glam::Vec3;
 use voxtrace::output::FilmFile;
 
@@ -294,4 +294,20 @@ fn a_turntable_is_resumed_frame_by_frame_and_frames_without_a_film_begin_anew() 
     let none = ["render", "room.vox", "--resume", "none_##.vxf", "--turntable=8", "-o", "x_##.png"];
     let none = folder.fail(&none, 3);
     assert!(none.contains("no none_01.vxf") && none.contains("####"), "{none}");
+}
+
+#[test]
+fn layers_that_no_output_holds_are_warned_of() {
+    let folder = Folder::new();
+    let warned = |option: &str, outputs: &[&str]| {
+        let output = folder.run(&[&["render", "room.vox", option], &SMALL[..], outputs].concat());
+        assert!(output.status.success());
+        stderr(&output).contains(&format!("warning: {option} is for EXR and films"))
+    };
+    for option in ["--aovs", "--light-groups"] {
+        assert!(warned(option, &["-o", "a.png"]));
+        for outputs in [&["-o", "a.png", "-o", "a.exr"][..], &["-o", "a.vxf"], &["--checkpoint", "a.vxf"]] {
+            assert!(!warned(option, outputs), "{option} {outputs:?}");
+        }
+    }
 }
