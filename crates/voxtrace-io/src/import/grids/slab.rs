@@ -62,13 +62,27 @@ impl Slabs {
         }
         let mut count = (self.size + BRICK_SIZE - 1) / BRICK_SIZE;
         count[self.axis] = 1;
-        let this = &*self;
+        let (cells, layer, axis) = (&self.cells, self.layer, self.axis);
+        let mut size = self.size;
+        size[axis] = BRICK_SIZE;
         let made = (0..count.element_product()).into_par_iter().map(|index| {
             let mut at = IVec3::new(index % count.x, index / count.x % count.y, index / (count.x * count.y));
-            at[this.axis] = this.layer;
+            let low = at * BRICK_SIZE;
+            let high = (low + BRICK_SIZE).min(size);
+            at[axis] = layer;
+            let row = |y: i32, z: i32| ((z * size.y + y) * size.x) as usize;
+            // Most bricks of most files are empty.
+            let is_empty = |y: i32, z: i32| {
+                let row = row(y, z);
+                cells[row + low.x as usize..row + high.x as usize].iter().all(|&cell| cell == 0)
+            };
+            if (low.z..high.z).all(|z| (low.y..high.y).all(|y| is_empty(y, z))) {
+                return (at, Brick::default());
+            }
             let material = |local: IVec3| {
-                let voxel = at * BRICK_SIZE + local;
-                if voxel.cmplt(this.size).all() { this.cells[this.cell(voxel)].checked_sub(1) } else { None }
+                let place = low + local;
+                let is_inside = place.cmplt(high).all();
+                if is_inside { cells[row(place.y, place.z) + place.x as usize].checked_sub(1) } else { None }
             };
             (at, dense::brick(material))
         });
