@@ -204,11 +204,14 @@ impl Renderer {
     /// nobody else has it.
     ///
     /// # Errors
-    /// If the patch was made for another state of the scene, or the tracer fails.
+    /// If the patch was made for another state of the scene, with nothing changed, or the tracer fails: the edits are followed all the same, and the tracer
+    /// gets the whole scene with the next picture.
     pub fn patch(&mut self, patch: &Patch) -> Result<(), RenderError> {
         Arc::make_mut(&mut self.scene).apply_patch(patch).map_err(TraceError::from)?;
-        if self.has_scene {
+        // Where the tracer fails, it may have another scene.
+        if std::mem::take(&mut self.has_scene) {
             self.tracer.patch(patch)?;
+            self.has_scene = true;
         }
         Ok(())
     }
@@ -256,7 +259,7 @@ impl Picture {
     /// Traces a picture of `scene`, which `tracer` has, and removes its noise if it `denoises`. `None` where `progress` was cancelled.
     ///
     /// # Errors
-    /// What the tracer answers.
+    /// What the tracer answers; [`TraceError::BadFrame`] before memory is taken for the picture.
     pub fn trace(
         tracer: &mut dyn Tracer,
         scene: &PackedScene,
@@ -264,6 +267,7 @@ impl Picture {
         denoises: bool,
         progress: &Progress,
     ) -> Result<Option<Self>, TraceError> {
+        frame.check()?;
         let mut film = Film::new(frame.width, frame.height, frame.region, frame.first_sample);
         let mut halfway = None;
         if denoises && frame.samples > 1 {
@@ -377,6 +381,10 @@ fn render_into(film: &mut Film, tracer: &mut dyn Tracer, frame: &Frame, progress
 #[cfg(test)]
 mod tests {
     use super::*;
+    use voxtrace_core::{DynamicScene, Edit, Placement};
+    use voxtrace_scene::glam::{IVec3, Vec3};
+    use voxtrace_scene::grid::VoxelBox;
+    use voxtrace_scene::{Hit, Material, Ray, Shape, VoxelGrid};
 
     #[test]
     fn a_picture_does_not_depend_on_those_that_were_rendered_before() {
@@ -389,5 +397,70 @@ mod tests {
         let mut fewer = renderer().samples(9);
         assert_ne!(bytes(&mut fewer), four, "the comparison sees samples");
         assert_eq!(bytes(&mut fewer.samples(4)), four);
+    }
+
+    #[test]
+    fn a_picture_that_is_too_large_is_refused_before_memory_is_taken_for_it() {
+        let scene = voxtrace_scenes::generate("church", Some(20_000)).unwrap();
+        let rendered = Renderer::new(&scene).unwrap().size(65_535, 65_535).samples(1).render();
+        assert!(matches!(rendered, Err(RenderError::Trace(TraceError::BadFrame(_)))));
+    }
+
+    /// The processor, but it cannot follow edits.
+    struct Stubborn(CpuTracer);
+
+    impl Tracer for Stubborn {
+        fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+            self.0.set_scene(scene)
+        }
+
+        fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
+            self.0.set_placement(placement)
+        }
+
+        fn patch(&mut self, _: &Patch) -> Result<(), TraceError> {
+            Err(TraceError::OutOfMemory { needed: 2, available: 1 })
+        }
+
+        fn cast_into(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), TraceError> {
+            self.0.cast_into(rays, hits)
+        }
+
+        fn render(&mut self, frame: &Frame, progress: &Progress) -> Result<(), TraceError> {
+            self.0.render(frame, progress)
+        }
+
+        fn read(&mut self, film: &mut Film) -> Result<(), TraceError> {
+            self.0.read(film)
+        }
+
+        fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
+            self.0.resume(frame, film)
+        }
+
+        fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+            self.0.set_moment(placement, frame)
+        }
+    }
+
+    #[test]
+    fn a_tracer_that_fails_to_follow_an_edit_has_it_in_the_next_picture() {
+        let mut grid = VoxelGrid::new();
+        grid.set(IVec3::ZERO, 0);
+        let scene = Scene::from_grid("one", grid, vec![Material::from_srgb([200, 90, 40])]);
+        let mut edited = DynamicScene::new(PackedScene::pack_merged(&scene).unwrap()).unwrap();
+        let camera = Camera::look_at(Vec3::new(12.0, 14.0, 9.0), Vec3::splat(1.5));
+        let renderer = |packed: &PackedScene| {
+            Renderer::of_packed(Arc::new(packed.clone())).view(camera.clone()).size(24, 16).samples(1)
+        };
+        let mut following = renderer(edited.scene()).tracer(Box::new(Stubborn(CpuTracer::new(None))));
+        let before = following.render().unwrap();
+        let region = VoxelBox { min: IVec3::ZERO, max: IVec3::splat(3) };
+        edited.edit(0, &Edit::Fill { shape: Shape::Box(region), material: Some(0) }).unwrap();
+        let patch = edited.take_patch();
+        assert!(matches!(following.patch(&patch), Err(RenderError::Trace(TraceError::OutOfMemory { .. }))));
+        let after = following.render().unwrap();
+        assert_eq!(after.film(), renderer(edited.scene()).render().unwrap().film());
+        assert_ne!(after.film(), before.film(), "the edit shows");
     }
 }
