@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 
 /// Temporary names tried before giving up; only files left by killed processes occupy any.
 const MAX_ATTEMPTS: u32 = 1000;
+/// Links to links that are followed, as systems do, where nothing is at their end.
+const MAX_LINKS: u32 = 40;
 
 /// Writes a file through `write`. When that or anything after it fails, the old file is untouched and nothing is left
 /// behind. What is not a regular file (a pipe, a device) is written directly; a symbolic link is followed.
@@ -51,9 +53,18 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
     }
 }
 
-/// The file that a symbolic link names, or the path itself.
+/// The file that a symbolic link names, which need not exist yet, or the path itself.
 pub fn follow_link(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
+    let mut path = path.to_path_buf();
+    for _ in 0..MAX_LINKS {
+        // What is there need not have a path of its own: a pipe behind `/dev/stdout` has none.
+        if fs::metadata(&path).is_ok() {
+            return fs::canonicalize(&path).unwrap_or(path);
+        }
+        let Ok(named) = fs::read_link(&path) else { break };
+        path = path.parent().unwrap_or(Path::new("")).join(named);
+    }
+    path
 }
 
 /// Metadata of the file at `path`, if there is one and it may be replaced.
@@ -235,7 +246,27 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read_to_string(&file).unwrap(), "new");
 
+        // The file may be yet to come, in another folder, behind two links.
+        fs::create_dir(folder.path().join("there")).unwrap();
+        let (near, far) = (folder.path().join("near"), folder.path().join("far"));
+        std::os::unix::fs::symlink("there/new", &far).unwrap();
+        std::os::unix::fs::symlink("far", &near).unwrap();
+        write_atomically(&near, |file| file.write_all(b"first")).unwrap();
+        assert_eq!(fs::read_to_string(folder.path().join("there/new")).unwrap(), "first");
+        assert!([near, far].iter().all(|link| fs::symlink_metadata(link).unwrap().is_symlink()));
+
         write_atomically(Path::new("/dev/null"), |file| file.write_all(b"new")).unwrap();
         assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_pipe_behind_a_link_is_written() {
+        use std::os::fd::AsRawFd;
+        let (reader, writer) = io::pipe().unwrap();
+        let path = format!("/proc/self/fd/{}", writer.as_raw_fd());
+        write_atomically(Path::new(&path), |file| file.write_all(b"new")).unwrap();
+        drop(writer);
+        assert_eq!(io::read_to_string(reader).unwrap(), "new");
     }
 }

@@ -160,7 +160,8 @@ impl Film {
     /// # Errors
     /// [`MergeError`] when the films do not fit together; `self` is then unchanged.
     pub fn merge(&mut self, other: &Self) -> Result<(), MergeError> {
-        if (self.width, self.height, self.region) != (other.width, other.height, other.region) {
+        let shown = |film: &Self| (film.width, film.height, film.region, film.pixels.len());
+        if shown(self) != shown(other) {
             return Err(MergeError::Region(self.region, other.region));
         }
         for film in [&*self, other] {
@@ -169,9 +170,11 @@ impl Film {
                 return Err(MergeError::Incomplete(least, most));
             }
         }
-        let range = |film: &Self| (film.first_sample, film.first_sample + film.sample_range().1);
+        // A film that was made by hand, or is damaged, may count beyond all numbers of samples: nothing joins it.
+        let range = |film: &Self| (film.first_sample, film.first_sample.checked_add(film.sample_range().1));
         let ((a0, a1), (b0, b1)) = (range(self), range(other));
-        if a1 != b0 && b1 != a0 {
+        if a1.is_none() || b1.is_none() || (a1 != Some(b0) && b1 != Some(a0)) {
+            let [a1, b1] = [a1, b1].map(|end| end.unwrap_or(u32::MAX));
             return Err(MergeError::Samples(a0, a1, b0, b1));
         }
         let has_same_groups =
@@ -192,5 +195,32 @@ impl Film {
         }
         self.earlier = None;
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A film of two pixels with so many samples each.
+    fn film(first_sample: u32, samples: u32) -> Film {
+        let mut film = Film::new(2, 1, Region::full(2, 1), first_sample);
+        film.pixels.iter_mut().for_each(|pixel| pixel.samples = samples);
+        film
+    }
+
+    #[test]
+    fn films_that_count_beyond_all_samples_or_lack_pixels_are_not_merged() {
+        let mut merged = film(4, u32::MAX - 4);
+        merged.merge(&film(0, 4)).unwrap();
+        assert_eq!(merged, film(0, u32::MAX));
+        // One more would be sample 0 again, where the other begins.
+        for (one, other) in [(film(4, u32::MAX - 3), film(0, 4)), (film(0, 4), film(4, u32::MAX - 3))] {
+            let mut merged = one.clone();
+            assert!(matches!(merged.merge(&other), Err(MergeError::Samples(..))));
+            assert_eq!(merged, one);
+        }
+        let short = Film { pixels: film(4, 1).pixels[..1].to_vec(), ..film(4, 1) };
+        assert!(matches!(film(0, 4).merge(&short), Err(MergeError::Region(..))));
     }
 }

@@ -64,6 +64,8 @@ impl Shot {
             if self.exposure > 0.0 {
                 hash.update(bytemuck::bytes_of(&[camera.eye, camera.target, camera.up]));
                 hash.update(&camera.fov_y.to_le_bytes());
+                // What is in focus may change, too. A pinhole has no settings.
+                camera.lens.settings().iter().for_each(|(_, value)| hash.update(&value.to_le_bytes()));
             }
             if let Some(placement) = placement {
                 is_moving = true;
@@ -297,6 +299,8 @@ impl Tracer for MovingTracer {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
+    use voxtrace_scene::camera::Lens;
 
     #[test]
     fn moments_lie_one_in_each_part_of_the_exposure_whatever_their_number() {
@@ -318,5 +322,19 @@ mod tests {
             assert!((0..100).all(|sample| (0.0..1.0).contains(&share_of_exposure(seed, sample))));
         }
         assert_ne!(share_of_exposure(0, 0), share_of_exposure(1, 0));
+    }
+
+    #[test]
+    fn stamps_tell_exposures_apart_in_which_the_focus_moves() {
+        let stamp = |speed: f32| {
+            let at = move |seconds: f64| {
+                let focus = 9.0 + speed * (seconds as f32 - 0.5);
+                let lens = Lens::Thin { aperture: 1.0, focus, blades: 0, blade_rotation: 0.0 };
+                Ok(Moment { camera: Camera::look_at(Vec3::X, Vec3::ZERO).with_lens(lens), placement: None })
+            };
+            Shot { opens: 0.0, exposure: 1.0, moments: Arc::new(at) }.stamp(7).unwrap()
+        };
+        assert_eq!(stamp(2.0), stamp(2.0));
+        assert_ne!(stamp(2.0), stamp(4.0), "in the middle both are the same");
     }
 }

@@ -28,7 +28,8 @@ pub struct VoxelBox {
 impl VoxelBox {
     /// Voxels along each axis, 0 where the box is inside out.
     pub fn size(&self) -> IVec3 {
-        (self.max - self.min).max(IVec3::ZERO)
+        // Corners may be as far out as numbers go.
+        self.max.saturating_sub(self.min).max(IVec3::ZERO)
     }
 
     /// Whether the voxel lies inside.

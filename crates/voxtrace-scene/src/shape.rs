@@ -134,7 +134,8 @@ pub(crate) fn bricks_in(region: VoxelBox) -> impl Iterator<Item = IVec3> {
 /// The voxels of the brick `at` that lie in a box.
 pub(crate) fn box_mask(region: VoxelBox, at: IVec3) -> Mask {
     let corner = at * BRICK_SIZE;
-    let (min, max) = ((region.min - corner).max(IVec3::ZERO), (region.max - corner).min(IVec3::splat(BRICK_SIZE)));
+    let within = |at: IVec3| at.saturating_sub(corner).clamp(IVec3::ZERO, IVec3::splat(BRICK_SIZE));
+    let (min, max) = (within(region.min), within(region.max));
     std::array::from_fn(|block| {
         let origin = voxel_of(block, 0);
         let (low, high) = ((min - origin).max(IVec3::ZERO), (max - origin).min(IVec3::splat(BLOCK_SIZE)));
@@ -187,6 +188,7 @@ mod tests {
         let center = DVec3::new(3.3, -2.0, 9.7);
         let shapes = [
             Shape::Box(VoxelBox { min: IVec3::new(-3, 2, -9), max: IVec3::new(12, 5, 8) }),
+            Shape::Box(VoxelBox { min: IVec3::MIN, max: IVec3::new(3, i32::MAX, -5) }),
             Shape::Sphere { center, radius: 9.2 },
             Shape::Sphere { center, radius: -1.0 },
             Shape::Capsule { from: center, to: DVec3::new(-8.0, 5.5, 0.0), radius: 4.1 },

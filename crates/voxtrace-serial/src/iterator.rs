@@ -121,6 +121,10 @@ impl<I: Iterator> Serial<I> {
         self.0.for_each(f);
     }
 
+    pub fn count(self) -> usize {
+        self.0.count()
+    }
+
     pub fn sum<S: iter::Sum<I::Item>>(self) -> S {
         self.0.sum()
     }
@@ -187,6 +191,13 @@ impl<I: Iterator> Serial<I> {
 
     pub fn position_first(mut self, f: impl FnMut(I::Item) -> bool) -> Option<usize> {
         self.0.position(f)
+    }
+}
+
+#[allow(missing_docs)]
+impl<'a, T: Copy + 'a, I: Iterator<Item = &'a T>> Serial<I> {
+    pub fn copied(self) -> Serial<iter::Copied<I>> {
+        Serial(self.0.copied())
     }
 }
 

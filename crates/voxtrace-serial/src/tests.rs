@@ -34,6 +34,7 @@ fn adaptors_are_those_of_rayon() {
         (0..5_u32).into_par_iter().flat_map_iter(|n| 0..n).collect::<Vec<_>>(),
         (0..5_u32).into_par_iter().map_init(|| 7, |state, n| *state + n).collect::<Vec<_>>(),
         NUMBERS.par_iter().map(|&n| n.checked_sub(3).ok_or(n)).collect::<Result<Vec<_>, _>>(),
+        NUMBERS.par_iter().filter(|n| **n > 2).copied().collect::<Vec<_>>(),
     );
 }
 
@@ -47,6 +48,7 @@ fn consumers_are_those_of_rayon() {
         NUMBERS.par_iter().find_map_first(|&n| (n > 20).then_some(n)),
         NUMBERS.par_iter().find_map_any(|&n| (n > 90).then_some(n)),
         NUMBERS.par_iter().position_first(|&n| n == 2),
+        NUMBERS.par_iter().filter(|n| **n > 2).count(),
         NUMBERS.par_iter().all(|&n| n > 2),
         NUMBERS.par_iter().all(|&n| n > 1),
         NUMBERS.par_iter().map(|&n| if n > 0 { Ok(n) } else { Err(n) }).try_reduce(|| 0, |a, b| Ok(a + b)),

@@ -8,6 +8,7 @@ use super::store::BrickCode;
 use super::{DynamicScene, Edit, EditError, Edited};
 use crate::packed::{CELL_OCCUPIED, LightNode, Placement};
 use glam::IVec3;
+use rayon::prelude::*;
 use std::sync::Arc;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 
@@ -19,8 +20,9 @@ impl DynamicScene {
     pub fn edit(&mut self, grid: u32, edit: &Edit) -> Result<Edited, EditError> {
         let changes = self.plan(grid, edit)?;
         let (edited, entry) = self.apply(grid, changes)?;
-        if !entry.bricks.is_empty() {
-            self.history.push(entry);
+        match entry.bricks.is_empty() {
+            true => self.history.close(),
+            false => self.history.push(entry),
         }
         Ok(edited)
     }
@@ -30,6 +32,8 @@ impl DynamicScene {
     /// # Errors
     /// [`EditError::Full`], with nothing changed.
     pub fn undo(&mut self) -> Result<Option<Edited>, EditError> {
+        // What cannot be put back stays a step that can be undone.
+        self.history.next_undo().map_or(Ok(()), |entry| self.check_room(entry.grid, &entry.bricks))?;
         let Some(entry) = self.history.pop_undo() else { return Ok(None) };
         let (edited, back) = self.apply(entry.grid, entry.bricks)?;
         self.history.push_redo(back);
@@ -41,6 +45,7 @@ impl DynamicScene {
     /// # Errors
     /// As [`Self::undo`].
     pub fn redo(&mut self) -> Result<Option<Edited>, EditError> {
+        self.history.next_redo().map_or(Ok(()), |entry| self.check_room(entry.grid, &entry.bricks))?;
         let Some(entry) = self.history.pop_redo() else { return Ok(None) };
         let (edited, back) = self.apply(entry.grid, entry.bricks)?;
         self.history.push_undo(back);
@@ -59,7 +64,7 @@ impl DynamicScene {
 
     /// Gives bricks other words. Returns those that they had.
     pub(super) fn apply(&mut self, grid: u32, changes: Vec<Change>) -> Result<(Edited, Entry), EditError> {
-        self.check_room(&changes)?;
+        self.check_room(grid, &changes)?;
         if changes.is_empty() {
             return Ok((Edited::default(), Entry { grid, bricks: Vec::new() }));
         }
@@ -87,8 +92,8 @@ impl DynamicScene {
         Ok((edited, Entry { grid, bricks: before }))
     }
 
-    /// Whether the arrays may get as large as all changes could make them.
-    pub(super) fn check_room(&self, changes: &[Change]) -> Result<(), EditError> {
+    /// Whether the arrays may get as large as all changes of a grid could make them.
+    pub(super) fn check_room(&self, grid: u32, changes: &[Change]) -> Result<(), EditError> {
         let words = |part: fn(&BrickCode) -> usize| {
             changes.iter().filter_map(|(_, code)| code.as_ref()).map(part).sum::<usize>() as u64
         };
@@ -96,7 +101,16 @@ impl DynamicScene {
         let geometry = self.geometry();
         let bricks = geometry.bricks.len() as u64 + words(|code| code.record.len());
         let materials = geometry.brick_materials.len() as u64 + words(|code| code.materials.len());
-        let cells = geometry.cells.len() as u64 + 1024 * changes.len() as u64;
+        // Bricks that there are, or that become empty, need no cells.
+        let packed = geometry.grids.get(grid as usize);
+        let is_new = |(at, code): &Change| {
+            code.is_some() && packed.is_none_or(|packed| geometry.find_brick(packed, *at * BRICK_SIZE).is_none())
+        };
+        let most_cells = |count: usize| geometry.cells.len() as u64 + 1024 * count as u64;
+        let cells = match most_cells(changes.len()) {
+            cells if cells < limit => cells,
+            _ => most_cells(changes.par_iter().filter(|change| is_new(change)).count()),
+        };
         if bricks < limit && materials < limit && cells < limit { Ok(()) } else { Err(EditError::Full) }
     }
 

@@ -31,11 +31,20 @@ pub(super) struct History {
     most_bytes: u64,
     /// Bricks of the last entry, while edits are joined to it.
     joined: Option<FxHashSet<IVec3>>,
+    /// Whether no edit joins the last entry: one that changed nothing came after it.
+    is_closed: bool,
 }
 
 impl Default for History {
     fn default() -> Self {
-        Self { undo: VecDeque::new(), redo: Vec::new(), size_bytes: 0, most_bytes: MOST_BYTES, joined: None }
+        Self {
+            undo: VecDeque::new(),
+            redo: Vec::new(),
+            size_bytes: 0,
+            most_bytes: MOST_BYTES,
+            joined: None,
+            is_closed: false,
+        }
     }
 }
 
@@ -58,7 +67,8 @@ impl History {
     /// An edit that is one step with the last one: of bricks that both changed, the words before the first count. Where there is none to join, it
     /// is a new one.
     pub fn join(&mut self, entry: Entry) {
-        let last = self.undo.back_mut().filter(|last| last.grid == entry.grid && self.redo.is_empty());
+        let is_open = self.redo.is_empty() && !self.is_closed;
+        let last = self.undo.back_mut().filter(|last| last.grid == entry.grid && is_open);
         let Some(last) = last else { return self.push(entry) };
         let known = self.joined.get_or_insert_with(|| last.bricks.iter().map(|(at, _)| *at).collect());
         let added: Vec<Change> = entry.bricks.into_iter().filter(|(at, _)| known.insert(*at)).collect();
@@ -73,9 +83,14 @@ impl History {
         *self = Self { most_bytes: self.most_bytes, ..Self::default() };
     }
 
+    /// A new edit that changed nothing: no step of undo, but edits that are joined to it are none with the step before.
+    pub fn close(&mut self) {
+        self.is_closed = true;
+    }
+
     /// A new edit: what was undone before cannot be redone.
     pub fn push(&mut self, entry: Entry) {
-        self.joined = None;
+        (self.joined, self.is_closed) = (None, false);
         let gone: u64 = self.redo.drain(..).map(|entry| entry.size_bytes()).sum();
         self.size_bytes = self.size_bytes - gone + entry.size_bytes();
         self.undo.push_back(entry);
@@ -87,6 +102,16 @@ impl History {
         let entry = self.undo.pop_back()?;
         self.size_bytes -= entry.size_bytes();
         Some(entry)
+    }
+
+    /// The edit that would be undone next.
+    pub fn next_undo(&self) -> Option<&Entry> {
+        self.undo.back()
+    }
+
+    /// The edit that would be redone next.
+    pub fn next_redo(&self) -> Option<&Entry> {
+        self.redo.last()
     }
 
     pub fn pop_redo(&mut self) -> Option<Entry> {

@@ -1,7 +1,7 @@
 //! Pieces that come off: what a cut leaves without a connection becomes a grid and instances of its own, with what a game's physics needs to move
 //! them, and may come back. Nothing here moves by itself.
 
-use super::plan::{Change, brick_box, code_of, within_range};
+use super::plan::{Change, brick_box, check_range, code_of, within_range};
 use super::sketch::Sketch;
 use super::{Clip, DynamicScene, Edit, EditError, Edited};
 use crate::packed::{Lattice, LightNode, PackedGrid, PackedInstance, Section};
@@ -125,7 +125,7 @@ impl DynamicScene {
         let bits = self.geometry().grids[piece.grid as usize].material_bits;
         let added: Vec<Change> =
             piece.voxels.sorted_bricks().into_iter().map(|(at, brick)| (at, code_of(brick, bits))).collect();
-        self.check_room(&added)?;
+        self.check_room(self.bricks.len() as u32, &added)?;
         self.apply(piece.grid, removed)?;
         let grid = self.add_grid(bounds.min, bits);
         self.apply(grid, added)?;
@@ -160,9 +160,12 @@ impl DynamicScene {
         let lattice = on_lattice(&to.grid_from_world.after(&from.world_from_grid)).ok_or(EditError::NotOnLattice)?;
         let mut voxels = VoxelGrid::new();
         for (voxel, material) in self.geometry().unpack_grid(&self.geometry().grids[from.grid as usize]).voxels() {
-            voxels.set(lattice.voxel(voxel), material);
+            let voxel = lattice.voxel(voxel);
+            check_range(VoxelBox { min: voxel, max: voxel + 1 })?;
+            voxels.set(voxel, material);
         }
         let bounds = voxels.bounds().unwrap_or(VoxelBox { min: IVec3::ZERO, max: IVec3::ZERO });
+        Clip::check_size(bounds.size())?;
         let mut clip = VoxelGrid::new();
         voxels.voxels().for_each(|(voxel, material)| _ = clip.set(voxel - bounds.min, material));
         let clip = Arc::new(Clip::new(clip, bounds.size()));
@@ -386,6 +389,8 @@ mod tests {
         let away = Transform { linear: Mat3::from_rotation_x(0.3), translation: Vec3::new(0.0, 0.0, 70.0) };
         scene.place(moved(&scene, away)).unwrap();
         assert_eq!(scene.attach(2, 0), Err(EditError::NotOnLattice));
+        scene.place(moved(&scene, Transform::from_translation(Vec3::new(600_000.0, 0.0, 0.0)))).unwrap();
+        assert!(matches!(scene.attach(2, 0), Err(EditError::OutOfRange(_))));
         let linear = Mat3::from_rotation_z(std::f32::consts::FRAC_PI_2);
         let back = Transform { linear, translation: Vec3::new(21.0, 0.004, 0.0) };
         scene.place(moved(&scene, back)).unwrap();

@@ -3,7 +3,7 @@
 use super::{DynamicScene, Edit, EditError, Edited};
 
 impl DynamicScene {
-    /// As [`Self::edit`], and one step of undo with the edit before it, where that was one of the same grid and was not undone.
+    /// As [`Self::edit`], and one step of undo with the edit before it, where that was one of the same grid, changed something and was not undone.
     ///
     /// # Errors
     /// As [`Self::edit`].
@@ -71,6 +71,24 @@ mod tests {
         scene.validate().unwrap();
         scene.set_undo_limit(1);
         assert_eq!((scene.undo_steps(), scene.undo_size_bytes()), ((0, 0), 0));
+    }
+
+    #[test]
+    fn an_edit_that_changes_nothing_is_no_step_but_begins_one() {
+        let mut scene = scene();
+        let dab = |x: i32| {
+            let region = VoxelBox { min: IVec3::new(x, 0, 9), max: IVec3::new(x + 1, 1, 10) };
+            Edit::Fill { shape: Shape::Box(region), material: Some(1) }
+        };
+        scene.edit(0, &dab(0)).unwrap();
+        let first = scene.compact().content_hash();
+        // A stroke that sets out where all is as it shall be.
+        assert_eq!(scene.edit(0, &dab(0)).unwrap().bricks, 0);
+        assert_eq!(scene.undo_steps(), (1, 0));
+        (1..4).for_each(|x| _ = scene.edit_on(0, &dab(x)).unwrap());
+        assert_eq!(scene.undo_steps(), (2, 0));
+        scene.undo().unwrap();
+        assert_eq!(scene.compact().content_hash(), first, "the stroke before is still there");
     }
 
     #[test]

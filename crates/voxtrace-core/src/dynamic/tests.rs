@@ -2,6 +2,8 @@
 
 pub(super) mod plain;
 
+use super::history::Entry;
+use super::store::BrickCode;
 use super::{DynamicScene, Edit, EditError};
 use crate::frame::{Frame, Integrator};
 use crate::packed::{CELL_OCCUPIED, PackedScene};
@@ -274,6 +276,36 @@ fn edits_reach_the_ends_of_the_coordinates_and_no_farther() {
     assert_eq!((left.grids().len(), left.instances().len()), (1, 1));
     *Arc::make_mut(&mut pair.plain.grids[0]) = VoxelGrid::new();
     assert!(saved(&left) == saved(&PackedScene::pack(&pair.plain).unwrap()));
+}
+
+#[test]
+fn boxes_may_have_corners_as_far_out_as_numbers_go() {
+    let mut pair = Pair::new();
+    let everywhere = VoxelBox { min: IVec3::MIN, max: IVec3::MAX };
+    let lamps = pair.plain.grids[0].voxels().filter(|(_, material)| *material == 1).count() as i64;
+    let edited = pair.dynamic.edit(0, &Edit::Replace { within: Some(everywhere), from: 1, to: None }).unwrap();
+    assert!(lamps > 0 && edited.voxels == -lamps, "{edited:?}");
+    let fill = |material| Edit::Fill { shape: Shape::Box(everywhere), material };
+    assert_eq!(pair.dynamic.edit(0, &fill(Some(0))), Err(EditError::OutOfRange(IVec3::MIN)));
+    assert!(matches!(pair.dynamic.copy(0, everywhere), Err(EditError::OutOfRange(_))));
+    pair.dynamic.edit(0, &fill(None)).unwrap();
+    assert_eq!(pair.dynamic.scene().grids()[0].voxel_count(), 0);
+    pair.dynamic.validate().unwrap();
+}
+
+#[test]
+fn what_becomes_empty_or_another_material_needs_no_room_and_what_cannot_be_undone_stays() {
+    let mut scene = Pair::new().dynamic;
+    let count = (1 << 21) + 1;
+    let code = Some(BrickCode { record: Box::default(), materials: Box::default() });
+    let (own, far) = (IVec3::new(0, 0, -1), IVec3::splat(9000));
+    assert!(scene.voxel(0, IVec3::new(0, 0, -1)).is_some());
+    assert_eq!(scene.check_room(0, &vec![(far, None); count]), Ok(()));
+    assert_eq!(scene.check_room(0, &vec![(own, code.clone()); count]), Ok(()));
+    let new = vec![(far, code); count];
+    assert_eq!(scene.check_room(0, &new), Err(EditError::Full));
+    scene.history.push(Entry { grid: 0, bricks: new });
+    assert_eq!((scene.undo(), scene.undo_steps()), (Err(EditError::Full), (1, 0)));
 }
 
 #[test]

@@ -151,7 +151,12 @@ impl Flight {
     /// The lens at a place, as [`Self::pose`] counts.
     fn lens(&self, place: f64) -> Lens {
         let leg = (place as usize).min(self.legs.len() - 1);
-        let mix = |from: f32, to: f32| (f64::from(from) + f64::from(to - from) * (place - leg as f64)) as f32;
+        let share = place - leg as f64;
+        // The end is its own number, whatever the difference was rounded to.
+        let mix = |from: f32, to: f32| match share < 1.0 {
+            true => (f64::from(from) + f64::from(to - from) * share) as f32,
+            false => to,
+        };
         match (self.first.lens, self.lenses[leg], self.lenses[leg + 1]) {
             (
                 Lens::Thin { blades, blade_rotation, .. },
@@ -362,6 +367,11 @@ mod tests {
         let keys = [(0.0, cameras[0].clone()), (2.0, cameras[1].clone())];
         let flight = Flight::timed(&keys).unwrap();
         assert_eq!((flight.at(0.5).lens, flight.at(1.0).lens), (thin(2.0, 30.0), thin(3.0, 50.0)));
+        // Numbers whose difference is rounded: the ends are the cameras' own, to the bit.
+        cameras[0].lens = thin(10.1, 0.7);
+        cameras[1].lens = thin(0.3, 9.1);
+        let flight = Flight::through(&cameras).unwrap();
+        assert_eq!((flight.at(0.0), flight.at(1.0)), (cameras[0].clone(), cameras[1].clone()));
     }
 
     #[test]
