@@ -23,6 +23,16 @@ pub fn shown_srgb(material: &Material) -> [u8; 3] {
     shown_color(material).to_array().map(srgb_from_linear)
 }
 
+/// What of materials plain colours do not hold, one phrase each.
+#[cfg(any(feature = "mesh", feature = "voxels"))]
+pub fn lost_of(materials: &[Material]) -> impl Iterator<Item = String> {
+    let counts = [
+        ("light of materials", materials.iter().filter(|material| material.is_emissive()).count()),
+        ("glass and other media", materials.iter().filter(|material| material.is_transmissive()).count()),
+    ];
+    counts.into_iter().filter(|&(_, count)| count > 0).map(|(what, count)| format!("{what} ({count})"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,5 +45,15 @@ mod tests {
         assert_eq!(shown_color(&lamp), Vec3::new(1.0, 0.5, 0.0));
         let green = Material::glass(1.5, 0.0).tinted(Vec3::new(0.1, 0.9, 0.1), DEPTH_OF_TINT);
         assert!(shown_color(&green).abs_diff_eq(Vec3::new(0.1, 0.9, 0.1), 1e-5));
+    }
+
+    #[test]
+    #[cfg(any(feature = "mesh", feature = "voxels"))]
+    fn lamps_and_glass_are_told_to_be_lost() {
+        let materials =
+            [Material::default(), Material::emissive(Vec3::ONE), Material::glass(1.5, 0.0), Material::glass(1.3, 0.0)];
+        let lost: Vec<String> = lost_of(&materials).collect();
+        assert_eq!(lost, ["light of materials (1)", "glass and other media (2)"]);
+        assert_eq!(lost_of(&materials[..1]).count(), 0);
     }
 }

@@ -1,7 +1,10 @@
 //! Qubicle Binary, `.qb` (specification by Minddesk): a matrix of colours for each visible instance, in runs. Qubicle's y is up, and z points
 //! to the viewer, who looks along our +y.
 
-use super::{ExportError, bake_failure, flat_color::shown_srgb};
+use super::{
+    ExportError, bake_failure,
+    flat_color::{lost_of, shown_srgb},
+};
 use crate::output::write_atomically;
 use glam::IVec3;
 use rayon::prelude::*;
@@ -46,15 +49,12 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
 /// What of a scene formats of plain colours do not hold, one phrase each.
 pub(super) fn left_out(scene: &Scene) -> Vec<String> {
     let instances = || scene.instances.iter();
-    let materials = || scene.materials.iter();
     let counts = [
         ("hidden instances", instances().filter(|instance| !scene.is_visible(instance)).count()),
         ("movement of instances", instances().filter(|instance| instance.keyframes.len() > 1).count()),
-        ("light of materials", materials().filter(|material| material.is_emissive()).count()),
-        ("glass and other media", materials().filter(|material| material.is_transmissive()).count()),
     ];
     let counted = counts.into_iter().filter(|&(_, count)| count > 0);
-    counted.map(|(what, count)| format!("{what} ({count})")).collect()
+    counted.map(|(what, count)| format!("{what} ({count})")).chain(lost_of(&scene.materials)).collect()
 }
 
 /// A colour with all faces visible.

@@ -34,6 +34,8 @@ enum Look {
     Plain,
     Colors,
     Alpha,
+    /// Bytes that are written as floating-point numbers.
+    Floats,
     Texture,
 }
 
@@ -56,6 +58,7 @@ fn ply(folder: &Path, look: Look) -> PathBuf {
         Look::Plain => "",
         Look::Colors => "property uchar red\nproperty uchar green\nproperty uchar blue\n",
         Look::Alpha => "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n",
+        Look::Floats => "property float red\nproperty float green\nproperty float blue\n",
         Look::Texture => "property float s\nproperty float t\n",
     };
     head += "element thing 2\nproperty list uchar short parts\n";
@@ -80,6 +83,10 @@ fn ply(folder: &Path, look: Look) -> PathBuf {
                 if look == Look::Alpha {
                     put(&byte(corner.x));
                 }
+            }
+            Look::Floats => {
+                let bytes = corner.to_array().map(|value| f32::from(byte(value)[0]));
+                bytes.iter().for_each(|value| put(&value.to_le_bytes()));
             }
             Look::Texture => [corner.x, corner.z].iter().for_each(|value| put(&(value / 20.0).to_le_bytes())),
         }
@@ -127,7 +134,7 @@ fn open(path: &Path, import: &ImportOptions) -> LargeGeometry {
 #[test]
 fn a_mesh_that_stays_in_its_file_gives_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
-    let looks = [Look::Plain, Look::Colors, Look::Alpha, Look::Texture];
+    let looks = [Look::Plain, Look::Colors, Look::Alpha, Look::Floats, Look::Texture];
     let mut files: Vec<PathBuf> = Vec::new();
     for look in looks {
         let own = folder.path().join((look as u8).to_string());

@@ -88,6 +88,10 @@ fn a_gltf_s_texture_of_roughness_and_metalness_is_read_and_others_are_named() {
     let glassy = "\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1,\"transmissionTexture\":{\"index\":0}},";
     let (notes, _) = read("\"extensions\":{\"KHR_materials", &format!("{glassy}\"KHR_materials"));
     assert!(notes.iter().any(|note| note.contains("textures of transmission are left out (1 material)")), "{notes:?}");
+    // What is not lit is matte here, whatever its factors, which are metal where they are not said.
+    let (_, scene) =
+        read("\"extensions\":{\"KHR_materials", "\"extensions\":{\"KHR_materials_unlit\":{},\"KHR_materials");
+    assert_eq!(surface(&scene, [0, 1, 1]), (1.0, 0.0));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Clouds of points in little memory: threads, budgets, and points that stay in their file change nothing.
 
 use crate::meshes::Random;
-use crate::point_samples::{FAR, Point, las, laz, options, ply, scene_of, voxels};
+use crate::point_samples::{FAR, Point, float_ply, las, laz, options, ply, scene_of, voxels};
 use voxtrace::PackedScene;
 use voxtrace::glam::Vec3;
 use voxtrace::import::{self, Geometry, ImportOptions, Limits};
@@ -55,6 +55,7 @@ fn points_that_stay_in_their_file_give_the_same_bytes() {
         ("a.laz", laz(&points, (4, 7)), &[ColorBy::Auto, ColorBy::Intensity]),
         ("bare.las", las(&bare, (2, 2)), &[ColorBy::Auto, ColorBy::Rgb]),
         ("a.ply", ply(&points), &[ColorBy::Auto]),
+        ("floats.ply", float_ply(&points), &[ColorBy::Auto]),
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).unwrap();

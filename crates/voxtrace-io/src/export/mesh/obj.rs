@@ -31,7 +31,12 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     write_atomically(&library, |file| write_materials(file, &surfaces)).map_err(failure(&library))?;
     let name = library.file_name().unwrap_or_default().to_string_lossy().into_owned();
     write_atomically(path, |file| write_to(file, &surfaces, &name)).map_err(failure(path))?;
-    Ok(left_out(scene))
+    let media =
+        scene.materials.iter().filter(|material| material.absorption != Vec3::ZERO || material.scattering > 0.0);
+    let mut lost = left_out(scene);
+    let media = media.count();
+    lost.extend((media > 0).then(|| format!("what is within media ({media})")));
+    Ok(lost)
 }
 
 fn write_to(file: &mut impl Write, surfaces: &Surfaces, library: &str) -> io::Result<()> {

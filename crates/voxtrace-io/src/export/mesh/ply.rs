@@ -2,7 +2,7 @@
 
 use super::{Surfaces, left_out};
 use crate::export::ExportError;
-use crate::export::flat_color::shown_srgb;
+use crate::export::flat_color::{lost_of, shown_srgb};
 use crate::output::write_atomically;
 use std::io::{self, Write};
 use std::path::Path;
@@ -20,7 +20,9 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     }
     write_atomically(path, |file| write_to(file, &surfaces, faces))
         .map_err(|error| ExportError::Io { path: path.into(), error })?;
-    Ok(left_out(scene))
+    let mut lost = left_out(scene);
+    lost.extend(lost_of(&scene.materials));
+    Ok(lost)
 }
 
 fn write_to(file: &mut impl Write, surfaces: &Surfaces, faces: usize) -> io::Result<()> {

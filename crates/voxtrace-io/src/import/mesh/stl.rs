@@ -58,7 +58,8 @@ fn is_text(input: &mut Input) -> Result<bool, ImportError> {
     // Some binary files begin with `solid` too, so a length that fits decides first.
     let fits = |(count, total): (u32, u64)| HEADER as u64 + RECORD as u64 * u64::from(count) == total;
     let fits = count.zip(total).is_some_and(fits);
-    Ok(head.trim_ascii_start().starts_with(b"solid") && !fits)
+    // A length that is unknown, or that bytes behind the triangles add to, says nothing; but the count of a binary file has a zero byte.
+    Ok(head.trim_ascii_start().starts_with(b"solid") && !fits && !head.contains(&0))
 }
 
 fn read_binary(input: &mut Input, limits: &Limits, mesh: &mut Mesh) -> Result<(), ImportError> {
@@ -242,6 +243,17 @@ mod tests {
         assert_eq!(read_bytes(text.as_bytes()).unwrap().positions, CORNERS);
         assert_eq!(read_bytes(&binary(b"any text", &CORNERS)).unwrap().positions, CORNERS);
         assert_eq!(read_bytes(&binary(b"solid that is binary", &CORNERS)).unwrap().positions, CORNERS);
+    }
+
+    #[test]
+    fn a_binary_file_that_begins_as_a_text_is_one_also_where_its_length_does_not_say_so() {
+        let limits = Limits::default();
+        let bytes = binary(b"solid that is binary", &CORNERS);
+        let piped = Input::of_decoder(Box::new(&bytes[..]), Path::new("-"), &limits);
+        assert_eq!(read(piped, &limits).unwrap().positions, CORNERS);
+        assert_eq!(read_bytes(&[&bytes[..], b"\n"].concat()).unwrap().positions, CORNERS, "bytes behind it");
+        let error = read_bytes(&bytes[..100]).unwrap_err();
+        assert!(matches!(error.kind, ImportErrorKind::Truncated(_)), "{error}");
     }
 
     #[test]

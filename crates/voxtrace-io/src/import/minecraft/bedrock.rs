@@ -2,6 +2,7 @@
 //! then x; names and states of that edition, of which those about shapes become those of the Java edition.
 
 use super::build::Build;
+use super::legacy_states::RAILS;
 use super::nbt::{Compound, Tag};
 use super::state::{State, without_namespace};
 use super::voxels::Blocks;
@@ -75,6 +76,22 @@ fn state(tag: &Tag) -> State {
         };
         state = state.with(without_namespace(key), value);
     }
+    // What burns has a name, a bit or a number of its own.
+    let lit = match name {
+        "unlit_redstone_torch" => Some(false),
+        "lit_pumpkin" => None,
+        _ if name.starts_with("lit_") => Some(true),
+        _ => number("extinguished").map(|bit| bit == 0).or_else(|| number("lit").map(|bit| bit != 0)),
+    };
+    if let Some(lit) = lit {
+        state = state.with("lit", lit);
+    }
+    // These count from 0 on, or what is added to the first one.
+    for (key, own) in [("candles", "candles"), ("cluster_count", "pickles")] {
+        if let Some(more) = number(key) {
+            state = state.with(own, more.saturating_add(1));
+        }
+    }
     let is_stairs = state.name.ends_with("_stairs");
     let directions = |number: i64, order: [&'static str; 4]| order[number.rem_euclid(4) as usize];
     if let Some(direction) = number("weirdo_direction").filter(|_| is_stairs) {
@@ -92,7 +109,8 @@ fn state(tag: &Tag) -> State {
         state = state.with("facing", directions(direction, order));
     }
     if let Some(direction) = text("cardinal_direction").or(text("block_face")) {
-        let turned = if state.name.ends_with("_door") { clockwise(direction) } else { direction };
+        // The way that a door says is a quarter turn beyond the one that it faces.
+        let turned = if state.name.ends_with("_door") { clockwise(opposite(direction)) } else { direction };
         state = state.with("facing", turned);
     }
     if let Some(facing) = number("facing_direction") {
@@ -102,7 +120,8 @@ fn state(tag: &Tag) -> State {
     if let Some(axis) = text("pillar_axis") {
         state = state.with("axis", axis);
     }
-    if name.ends_with("_double_slab") {
+    // Names of double slabs have that word at the beginning, in the middle, or before the last one.
+    if name.contains("double_") && name.trim_end_matches(['2', '3', '4']).ends_with("_slab") {
         state = state.with("type", "double");
     } else if let Some(half) = text("vertical_half") {
         state = state.with("type", half);
@@ -114,6 +133,17 @@ fn state(tag: &Tag) -> State {
         let (upper, lower) = if state.name.ends_with("trapdoor") { ("top", "bottom") } else { ("upper", "lower") };
         let is_upper = is("upside_down_bit") || is("upper_block_bit");
         state = state.with("half", if is_upper { upper } else { lower });
+    } else if number("upper_block_bit").is_some() {
+        state = state.with("half", if is("upper_block_bit") { "upper" } else { "lower" });
+    }
+    if number("head_piece_bit").is_some() {
+        state = state.with("part", if is("head_piece_bit") { "head" } else { "foot" });
+    }
+    if number("hanging").is_some() {
+        state = state.with("hanging", is("hanging"));
+    }
+    if let Some(shape) = number("rail_direction").and_then(|shape| RAILS.get(usize::try_from(shape).ok()?)) {
+        state = state.with("shape", shape);
     }
     if let Some(torch) = text("torch_facing_direction").filter(|&side| side != "top" && side != "unknown") {
         // It names the side that the torch is held on by.
@@ -151,6 +181,61 @@ fn opposite(side: &str) -> &str {
     clockwise(clockwise(side))
 }
 
+/// The name that the Java edition has for a block which was a kind of another one, until 1.20 and 1.21 gave names to them all.
+fn by_kind<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> Option<String> {
+    const SLABS: [&str; 4] = ["stone_slab_type", "stone_slab_type_2", "stone_slab_type_3", "stone_slab_type_4"];
+    let kind = match name.trim_end_matches(['2', '3', '4']) {
+        "stone_slab" | "double_stone_slab" | "stone_block_slab" | "double_stone_block_slab" => {
+            let kind = match SLABS.into_iter().find_map(text)? {
+                "wood" => "petrified_oak",
+                "prismarine_rough" => "prismarine",
+                "prismarine_dark" => "dark_prismarine",
+                kind => kind,
+            };
+            return Some(format!("{kind}_slab"));
+        }
+        "cobblestone_wall" => {
+            let kind = text("wall_block_type")?;
+            return Some(format!("{}_wall", if kind == "end_brick" { "end_stone_brick" } else { kind }));
+        }
+        "fence" => return Some(format!("{}_fence", text("wood_type")?)),
+        "sapling" => return Some(format!("{}_sapling", text("sapling_type")?)),
+        "stonebrick" => match text("stone_brick_type")? {
+            kind @ ("mossy" | "cracked" | "chiseled") => return Some(format!("{kind}_stone_bricks")),
+            _ => return None,
+        },
+        "prismarine" => match text("prismarine_block_type")? {
+            "dark" => "dark_prismarine",
+            "bricks" => "prismarine_bricks",
+            _ => return None,
+        },
+        "sand" if text("sand_type")? == "red" => "red_sand",
+        "dirt" if text("dirt_type")? == "coarse" => "coarse_dirt",
+        "sponge" if text("sponge_type")? == "wet" => "wet_sponge",
+        "tallgrass" if text("tall_grass_type")? == "fern" => "fern",
+        "double_plant" => match text("double_plant_type")? {
+            "syringa" => "lilac",
+            "grass" => "tall_grass",
+            "fern" => "large_fern",
+            "rose" => "rose_bush",
+            "paeonia" => "peony",
+            _ => "sunflower",
+        },
+        "red_flower" => match text("flower_type")? {
+            "orchid" => "blue_orchid",
+            "houstonia" => "azure_bluet",
+            "tulip_red" => "red_tulip",
+            "tulip_orange" => "orange_tulip",
+            "tulip_white" => "white_tulip",
+            "tulip_pink" => "pink_tulip",
+            "oxeye" => "oxeye_daisy",
+            kind => kind,
+        },
+        _ => return None,
+    };
+    Some(kind.to_owned())
+}
+
 /// The name that the Java edition has for a block.
 fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
     let color = || text("color").map(|color| if color == "silver" { "light_gray" } else { color });
@@ -183,8 +268,6 @@ fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
         "stone_stairs" => "cobblestone_stairs",
         "normal_stone_stairs" => "stone_stairs",
         "lit_pumpkin" => "jack_o_lantern",
-        "lit_furnace" => "furnace",
-        "lit_redstone_lamp" => "redstone_lamp",
         "waterlily" => "lily_pad",
         "reeds" => "sugar_cane",
         "web" => "cobweb",
@@ -206,8 +289,15 @@ fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
         "unpowered_repeater" | "powered_repeater" => "repeater",
         "unpowered_comparator" | "powered_comparator" => "comparator",
         "unlit_redstone_torch" => "redstone_torch",
-        other => other,
+        "trip_wire" | "tripWire" => "tripwire",
+        // Nobody sees these: the light of that edition has had a name for each of its levels since 1.21.
+        "invisible_bedrock" => "barrier",
+        light if light == "light_block" || light.starts_with("light_block_") => "light",
+        other => other.strip_prefix("lit_").unwrap_or(other),
     };
+    if let Some(kind) = by_kind(name, text) {
+        return kind;
+    }
     match plain {
         "wool" | "carpet" | "concrete" | "stained_glass" | "stained_glass_pane" | "shulker_box" | "bed" => {
             color().map_or_else(|| plain.to_owned(), |color| format!("{color}_{plain}"))
@@ -223,7 +313,114 @@ fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
             Some(of) => format!("polished_{of}"),
             None => kind.to_owned(),
         }),
-        _ if plain.ends_with("_double_slab") => plain.replace("_double_slab", "_slab"),
+        _ if plain.contains("double_") && plain.ends_with("_slab") => plain.replace("double_", ""),
         _ => plain.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The state of a block with whole numbers as its states.
+    fn of(name: &str, states: &[(&str, i64)]) -> State {
+        with(name, states.iter().map(|&(key, value)| (key.to_owned(), Tag::Whole(value))).collect())
+    }
+
+    /// The state of a block with a text among its states.
+    fn kind(name: &str, key: &str, kind: &str) -> State {
+        with(name, vec![(key.to_owned(), Tag::Text(kind.to_owned())), ("top_slot_bit".to_owned(), Tag::Whole(1))])
+    }
+
+    fn with(name: &str, states: Vec<(String, Tag)>) -> State {
+        let name = Tag::Text(format!("minecraft:{name}"));
+        let tags = vec![("name".to_owned(), name), ("states".to_owned(), Tag::Compound(Compound::of(states)))];
+        state(&Tag::Compound(Compound::of(tags)))
+    }
+
+    #[test]
+    fn doors_face_a_quarter_turn_before_what_their_text_says() {
+        for (said, number, facing) in
+            [("south", 0, "east"), ("west", 1, "south"), ("north", 2, "west"), ("east", 3, "north")]
+        {
+            let new = kind("wooden_door", "minecraft:cardinal_direction", said);
+            let old = of("wooden_door", &[("direction", number)]);
+            assert_eq!((new.get("facing"), old.get("facing")), (Some(facing), Some(facing)), "{said}");
+        }
+        assert_eq!(kind("chest", "minecraft:cardinal_direction", "east").get("facing"), Some("east"));
+    }
+
+    #[test]
+    fn what_burns_is_lit_and_what_is_out_is_not() {
+        for (name, states, java, lit) in [
+            ("lit_redstone_lamp", &[][..], "redstone_lamp", Some("true")),
+            ("lit_furnace", &[("facing_direction", 2)], "furnace", Some("true")),
+            ("lit_blast_furnace", &[], "blast_furnace", Some("true")),
+            ("lit_smoker", &[], "smoker", Some("true")),
+            ("lit_deepslate_redstone_ore", &[], "deepslate_redstone_ore", Some("true")),
+            ("lit_pumpkin", &[], "jack_o_lantern", None),
+            ("redstone_lamp", &[], "redstone_lamp", None),
+            ("unlit_redstone_torch", &[], "redstone_torch", Some("false")),
+            ("redstone_torch", &[], "redstone_torch", None),
+            ("campfire", &[("extinguished", 0)], "campfire", Some("true")),
+            ("soul_campfire", &[("extinguished", 1)], "soul_campfire", Some("false")),
+            ("red_candle", &[("lit", 1)], "red_candle", Some("true")),
+            ("copper_bulb", &[("lit", 0)], "copper_bulb", Some("false")),
+        ] {
+            let state = of(name, states);
+            assert_eq!((state.name.as_str(), state.get("lit")), (java, lit), "{name}");
+        }
+    }
+
+    #[test]
+    fn kinds_of_one_block_are_blocks_of_their_own() {
+        for (name, key, of, java, slab) in [
+            ("stone_block_slab", "stone_slab_type", "sandstone", "sandstone_slab", Some("top")),
+            ("stone_block_slab2", "stone_slab_type_2", "prismarine_dark", "dark_prismarine_slab", Some("top")),
+            ("double_stone_block_slab3", "stone_slab_type_3", "granite", "granite_slab", Some("double")),
+            ("double_stone_slab4", "stone_slab_type_4", "stone", "stone_slab", Some("double")),
+            ("stone_slab", "stone_slab_type", "brick", "brick_slab", Some("top")),
+            ("smooth_stone_double_slab", "vertical_half", "bottom", "smooth_stone_slab", Some("double")),
+            ("exposed_double_cut_copper_slab", "vertical_half", "bottom", "exposed_cut_copper_slab", Some("double")),
+            ("cobblestone_wall", "wall_block_type", "end_brick", "end_stone_brick_wall", None),
+            ("cobblestone_wall", "wall_connection_type_east", "none", "cobblestone_wall", None),
+            ("fence", "wood_type", "birch", "birch_fence", None),
+            ("stonebrick", "stone_brick_type", "mossy", "mossy_stone_bricks", None),
+            ("stonebrick", "stone_brick_type", "default", "stone_bricks", None),
+            ("sand", "sand_type", "red", "red_sand", None),
+            ("sand", "sand_type", "normal", "sand", None),
+            ("double_plant", "double_plant_type", "rose", "rose_bush", None),
+            ("red_flower", "flower_type", "tulip_pink", "pink_tulip", None),
+        ] {
+            let state = kind(name, key, of);
+            assert_eq!((state.name.as_str(), state.get("type")), (java, slab), "{name} {of}");
+            let look = super::super::blocks::block(java, false);
+            assert!(matches!(look, super::super::blocks::Block::Known(_)), "{java}");
+        }
+    }
+
+    #[test]
+    fn parts_of_blocks_and_the_ways_of_rails_are_told() {
+        assert!(of("lilac", &[("upper_block_bit", 1)]).is("half", "upper"));
+        assert!(of("bed", &[("head_piece_bit", 1), ("direction", 0)]).is("part", "head"));
+        assert!(of("lantern", &[("hanging", 1)]).is("hanging", "true"));
+        assert!(of("rail", &[("rail_direction", 9)]).is("shape", "north_east"));
+        assert!(!of("rail", &[("rail_direction", -1)]).has("shape"));
+    }
+
+    #[test]
+    fn candles_and_pickles_are_counted_from_one() {
+        assert_eq!(of("candle", &[("candles", 0), ("lit", 0)]).number("candles", 0), 1);
+        assert_eq!(of("candle", &[("candles", 3), ("lit", 0)]).number("candles", 0), 4);
+        assert_eq!(of("sea_pickle", &[("cluster_count", 2)]).number("pickles", 0), 3);
+    }
+
+    #[test]
+    fn what_nobody_sees_is_not_there() {
+        for name in ["light_block", "light_block_15", "invisible_bedrock", "barrier", "structure_void", "trip_wire"] {
+            let name = of(name, &[]).name;
+            assert!(super::super::material_of_block(&name).is_none(), "{name}");
+            assert!(matches!(super::super::blocks::block(&name, false), super::super::blocks::Block::Unseen), "{name}");
+        }
     }
 }

@@ -33,7 +33,7 @@ pub(super) const NAMES: [&str; 256] = [
     "red_bed",
     "powered_rail",
     "detector_rail",
-    "piston",
+    "sticky_piston",
     "cobweb",
     "grass",
     "dead_bush",
@@ -167,7 +167,7 @@ pub(super) const NAMES: [&str; 256] = [
     "hopper",
     "quartz_block",
     "quartz_stairs",
-    "powered_rail",
+    "activator_rail",
     "dropper",
     "white_terracotta",
     // 160

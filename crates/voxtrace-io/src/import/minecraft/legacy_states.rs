@@ -9,7 +9,7 @@ const BY_STAIRS: [&str; 4] = ["east", "west", "south", "north"];
 const BY_DOORS: [&str; 4] = ["east", "south", "west", "north"];
 const BY_TRAPDOORS: [&str; 4] = ["north", "south", "west", "east"];
 const BY_SIDES: [&str; 6] = ["down", "up", "north", "south", "west", "east"];
-const RAILS: [&str; 10] = [
+pub(super) const RAILS: [&str; 10] = [
     "north_south",
     "east_west",
     "ascending_east",

@@ -64,6 +64,11 @@ pub(super) enum Tag {
 pub(super) struct Compound(Vec<(String, Tag)>);
 
 impl Compound {
+    #[cfg(test)]
+    pub fn of(entries: Vec<(String, Tag)>) -> Self {
+        Self(entries)
+    }
+
     /// All entries in the order of the file.
     pub fn entries(&self) -> impl Iterator<Item = (&str, &Tag)> {
         self.0.iter().map(|(name, tag)| (name.as_str(), tag))

@@ -34,6 +34,8 @@ type Cube = Vec<[u8; 4]>;
 struct Layer {
     cubes: Vec<(usize, IVec3)>,
     is_visible: bool,
+    /// Whether it is a copy of another layer, or a shape: Goxel makes their voxels anew, and files have none.
+    is_derived: bool,
 }
 
 /// Reads a file of Goxel.
@@ -86,7 +88,12 @@ fn read(mut input: Input, limits: &Limits) -> Result<Voxels, ImportError> {
             }
         }
     }
-    let notes = if hidden > 0 { vec![format!("{hidden} hidden layers are left out")] } else { Vec::new() };
+    let mut notes = if hidden > 0 { vec![format!("{hidden} hidden layers are left out")] } else { Vec::new() };
+    let derived = layers.iter().filter(|layer| layer.is_visible && layer.is_derived && layer.cubes.is_empty()).count();
+    if derived > 0 {
+        let what = "layers that are copies of others or shapes are left out, as the file has no voxels of them";
+        notes.push(format!("{derived} {what}: make them layers of their own in Goxel"));
+    }
     Ok(Voxels { scene: Scene::from_grid("", grid, paints.finish()), notes })
 }
 
@@ -121,7 +128,9 @@ fn layer(bytes: &[u8], path: &Path, at: u64, version: u32) -> Result<Layer, Impo
         cubes.push((u32::from_le_bytes(words[0]) as usize, corner));
     }
     let visible = entry(rest, b"visible");
-    Ok(Layer { cubes, is_visible: visible.is_none_or(|value| value.first() != Some(&0)) })
+    let is_copy = entry(rest, b"base_id").is_some_and(|id| id.iter().any(|&byte| byte != 0));
+    let is_derived = is_copy || entry(rest, b"shape").is_some();
+    Ok(Layer { cubes, is_visible: visible.is_none_or(|value| value.first() != Some(&0)), is_derived })
 }
 
 /// The value of a name; each is behind its length, and a length of 0 is the end.
@@ -138,5 +147,35 @@ fn entry<'a>(mut rest: &'a [u8], wanted: &[u8]) -> Option<&'a [u8]> {
         if name == wanted {
             return Some(value);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layers_whose_voxels_the_file_has_not_are_told() {
+        let entry = |name: &str, value: &[u8]| {
+            [&(name.len() as u32).to_le_bytes()[..], name.as_bytes(), &(value.len() as u32).to_le_bytes(), value]
+                .concat()
+        };
+        let layer = |entries: &[Vec<u8>]| {
+            let bytes = [&0u32.to_le_bytes()[..], &entries.concat()].concat();
+            [&b"LAYR"[..], &(bytes.len() as u32).to_le_bytes(), &bytes, &[0; 4]].concat()
+        };
+        let empty = layer(&[entry("name", b"empty"), entry("base_id", &[0; 4])]);
+        let copy = layer(&[entry("base_id", &[3, 0, 0, 0]), entry("visible", &[1])]);
+        let hidden = layer(&[entry("base_id", &[3, 0, 0, 0]), entry("visible", &[0])]);
+        let shape = layer(&[entry("shape", b"sphere")]);
+        let notes = |layers: &[&Vec<u8>]| {
+            let layers = layers.iter().flat_map(|layer| layer.iter().copied());
+            let bytes: Vec<u8> = b"GOX \x02\0\0\0".iter().copied().chain(layers).collect();
+            let limits = Limits::default();
+            read(Input::of_bytes(&bytes, Path::new("a.gox"), &limits).unwrap(), &limits).unwrap().notes
+        };
+        assert!(notes(&[&empty, &hidden]).is_empty());
+        let told = notes(&[&empty, &copy, &hidden, &shape]);
+        assert!(told.len() == 1 && told[0].starts_with("2 layers that are copies"), "{told:?}");
     }
 }

@@ -77,9 +77,18 @@ pub fn text(points: &[Point]) -> Vec<u8> {
 }
 
 pub fn ply(points: &[Point]) -> Vec<u8> {
+    ply_with(points, "uchar", |byte| vec![byte])
+}
+
+/// As [`ply`], with the same bytes of colours as floating-point numbers.
+pub fn float_ply(points: &[Point]) -> Vec<u8> {
+    ply_with(points, "float", |byte| f32::from(byte).to_le_bytes().to_vec())
+}
+
+fn ply_with(points: &[Point], kind: &str, channel: fn(u8) -> Vec<u8>) -> Vec<u8> {
     let mut bytes = format!(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
-        property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+        property double z\nproperty {kind} red\nproperty {kind} green\nproperty {kind} blue\nend_header\n",
         points.len()
     )
     .into_bytes();
@@ -87,7 +96,7 @@ pub fn ply(points: &[Point]) -> Vec<u8> {
         for (far, steps) in FAR.iter().zip(place) {
             bytes.extend((far + f64::from(*steps) * 0.25).to_le_bytes());
         }
-        bytes.extend(color);
+        bytes.extend(color.iter().flat_map(|&byte| channel(byte)));
     }
     bytes
 }

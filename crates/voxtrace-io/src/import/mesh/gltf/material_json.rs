@@ -70,6 +70,8 @@ pub(super) struct MaterialExtensions {
     pub clearcoat: Option<Clearcoat>,
     #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
     pub glossiness: Option<Glossiness>,
+    #[serde(rename = "KHR_materials_unlit")]
+    pub unlit: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]

@@ -48,7 +48,9 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
         None => metallic.base_color_texture.as_ref(),
     };
     let emission_info = material.emissive_texture.as_ref();
-    let surface_info = metallic.metallic_roughness_texture.as_ref().filter(|_| glossiness.is_none());
+    // What is not lit has its colour alone. Light falls on it here, so it is matte: the usual factors would make it metal.
+    let is_unlit = extensions.unlit.is_some();
+    let surface_info = metallic.metallic_roughness_texture.as_ref().filter(|_| glossiness.is_none() && !is_unlit);
     let set = base_info.or(emission_info).or(surface_info).map_or(0, coordinate_set);
     let mut texture = |info: Option<&TextureInfo>| match info {
         Some(info) if coordinate_set(info) == set => images.texture(info, mesh),
@@ -67,7 +69,7 @@ fn convert(material: &document::Material, images: &mut Images, mesh: &mut Mesh) 
     let transmission = extensions.transmission.as_ref().map_or(0.0, |transmission| transmission.transmission_factor);
     let ior = extensions.ior.as_ref().map_or(1.5, |ior| ior.ior);
     // A texture says where there is metal and how rough it is; without it its factors would make all of it metal.
-    let lacks_texture = surface_info.is_some() && surface_texture.is_none();
+    let lacks_texture = is_unlit || surface_info.is_some() && surface_texture.is_none();
     let own_roughness = if lacks_texture { 1.0 } else { metallic.roughness_factor };
     let roughness = glossiness.map_or(own_roughness, |glossiness| 1.0 - glossiness.glossiness_factor);
     let is_finite =

@@ -1,5 +1,5 @@
 //! MTL, the materials of OBJ files. Phong's and illumination models are left out; of the physically based extension roughness
-//! and metalness are read.
+//! and metalness are read. The index of refraction is that of what lets light through.
 
 use super::{Folder, Limits, linear_from_signal};
 use crate::import::images::texture;
@@ -44,6 +44,7 @@ impl Library {
     fn parse(&mut self, text: &str, folder: &Folder, limits: &Limits, mesh: &mut Mesh) {
         let mut name = None;
         let mut material = MeshMaterial::default();
+        let mut has_dissolve = false;
         for line in text.lines() {
             let line = line.trim();
             let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
@@ -52,6 +53,7 @@ impl Library {
                 "newmtl" => {
                     self.keep(name.replace(rest.to_owned()), std::mem::take(&mut material));
                     material.name = rest.into();
+                    has_dissolve = false;
                     if self.materials.len() as u64 >= limits.items {
                         return;
                     }
@@ -67,7 +69,18 @@ impl Library {
                     if let Some(alpha) = number(rest).filter(|&alpha| alpha > 0.0) {
                         material.base_color.w = alpha.min(1.0);
                     }
+                    has_dissolve |= number(rest).is_some();
                 }
+                // The same turned round. Beside a `d` some programs write the same number here, so that one counts.
+                "tr" if !has_dissolve => {
+                    if let Some(alpha) =
+                        number(rest).map(|transparency| 1.0 - transparency).filter(|&alpha| alpha > 0.0)
+                    {
+                        material.base_color.w = alpha.min(1.0);
+                    }
+                }
+                // Without a number of its own, or with 1 as many programs write it by default, glass stays glass.
+                "ni" => material.ior = number(rest).filter(|&ior| ior > 1.0 && ior <= 10.0).unwrap_or(material.ior),
                 "pr" => material.roughness = number(rest).unwrap_or(1.0).clamp(0.0, 1.0),
                 "pm" => material.metallic = number(rest).unwrap_or(0.0).clamp(0.0, 1.0),
                 "map_kd" => material.base_texture = self.texture(rest, folder, limits, mesh),
@@ -94,6 +107,9 @@ impl Library {
             material.emission = Vec3::ONE;
         }
         material.transmission = 1.0 - material.base_color.w;
+        if material.transmission == 0.0 {
+            material.ior = MeshMaterial::default().ior;
+        }
         material.base_color.w = 1.0;
         let has_alpha = material.base_texture.is_some() || material.alpha_texture.is_some();
         material.alpha_cutoff = if has_alpha { 0.5 } else { 0.0 };
@@ -205,6 +221,25 @@ mod tests {
         assert_eq!((glass.transmission, glass.emission), (0.75, Vec3::ZERO));
         let lamp = &library.materials["lamp"];
         assert_eq!((lamp.emission, lamp.roughness, lamp.transmission), (Vec3::new(5.0, 0.0, 0.0), 0.3, 0.0));
+    }
+
+    #[test]
+    fn transparency_is_opacity_turned_round_and_gives_way_to_it() {
+        let text = ["Tr 0.75", "d 1\nTr 1", "Tr 0.25\nd 0.25", "Tr 1", "Tr 0"];
+        let names = ["a", "b", "c", "e", "f"];
+        let (library, _) =
+            parsed(&names.iter().zip(text).map(|(name, text)| format!("newmtl {name}\n{text}\n")).collect::<String>());
+        let transmission = |name: &str| library.materials[name].transmission;
+        assert_eq!(names.map(transmission), [0.75, 0.0, 0.75, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_lets_light_through_has_its_index_of_refraction() {
+        let usual = MeshMaterial::default().ior;
+        let text = ["Ni 1.33\nd 0.1", "d 0.1\nNi 1", "d 0.1", "Ni 1.33"];
+        let (library, _) =
+            parsed(&text.iter().enumerate().map(|(at, text)| format!("newmtl {at}\n{text}\n")).collect::<String>());
+        assert_eq!(["0", "1", "2", "3"].map(|name| library.materials[name].ior), [1.33, usual, usual, usual]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::faces::{STRIPS, column_of, take_corners, triangles_of_strips};
 use super::header::{Element, Encoding, Header};
 use super::values::Values;
 use super::vertex_cache::VertexCache;
-use super::vertices::Columns;
+use super::vertices::{Columns, FullIntensity};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use glam::Vec4;
@@ -56,7 +56,9 @@ impl PlyTriangles {
         if header.encoding == Encoding::Text || vertices.count > u64::from(u32::MAX) {
             return Ok(None);
         }
-        Values::new(input, header.encoding).check_count(&vertices)?;
+        let mut values = Values::new(input, header.encoding);
+        values.check_count(&vertices)?;
+        let full = FullIntensity::of_element(&mut values, &vertices)?;
         let size = vertices.properties.iter().map(|property| property.kind.size() as u64).sum::<u64>();
         let start_of_faces = start + vertices.count * size;
         let values = Values::new(Input::open_at(path, start_of_faces, &unbounded())?, header.encoding);
@@ -67,15 +69,14 @@ impl PlyTriangles {
             (Some(_), Some(_)) => SourceColors::Linear,
         };
         let mut frame = Mesh::new("");
-        frame.notes.extend(super::not_shown(&elements));
-        let texture = header.texture.as_deref().filter(|_| columns.uv.is_some());
-        super::set_look(&mut frame, texture, &Folder::of(path, limits), limits);
+        frame.notes.extend(super::not_shown(elements.iter().chain([&vertices])));
+        super::set_look(&mut frame, header.texture.as_deref(), columns.uv.is_some(), &Folder::of(path, limits), limits);
         if colors != SourceColors::None {
             frame.materials[0].base_color = Vec4::ONE;
         }
         let has_uvs = !frame.textures.is_empty();
         let vertex_count = vertices.count;
-        let vertices = VertexCache::open(path, vertices, header.encoding, start, has_uvs, budget / 2)?;
+        let vertices = VertexCache::open(path, (vertices, full), header.encoding, start, has_uvs, budget / 2)?;
         frame.offset = vertices.offset();
         Ok(Some(Self {
             path: path.into(),

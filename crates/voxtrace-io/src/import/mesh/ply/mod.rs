@@ -52,7 +52,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
     let mut values = Values::new(input, header.encoding);
-    mesh.notes.extend(not_shown(&header.elements));
+    mesh.notes.extend(not_shown(header.elements.iter()));
     for element in &header.elements {
         values.check_count(element)?;
         if element.name == "vertex" && element.find(&["packed_position"]).is_some() {
@@ -80,15 +80,19 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
         }
         return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
     }
-    let texture = header.texture.as_deref().filter(|_| !mesh.uvs.is_empty());
-    set_look(&mut mesh, texture, folder, limits);
+    let has_uvs = !mesh.uvs.is_empty();
+    set_look(&mut mesh, header.texture.as_deref(), has_uvs, folder, limits);
     Ok(Geometry::Mesh(mesh))
 }
 
 /// Says how the surface looks: by the picture of a name, by colours of vertices, or plain.
-fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Limits) {
-    if let Some(name) = texture {
-        match folder
+fn set_look(mesh: &mut Mesh, texture: Option<&str>, has_uvs: bool, folder: &Folder, limits: &Limits) {
+    match texture {
+        // MeshLab gives them to the corners of faces.
+        Some(name) if !has_uvs => {
+            mesh.notes.push(format!("the texture {name:?} is left out: the vertices have no coordinates on it"));
+        }
+        Some(name) => match folder
             .read(name)
             .map_err(|refused| refused.to_string())
             .and_then(|file| texture::decode(&file, limits).map_err(|refused| refused.to_string()))
@@ -99,19 +103,26 @@ fn set_look(mesh: &mut Mesh, texture: Option<&str>, folder: &Folder, limits: &Li
                 mesh.materials[0].base_color = Vec4::ONE;
             }
             Err(fault) => mesh.notes.push(format!("the texture is left out: {fault}")),
-        }
+        },
+        None => {}
     }
     if !mesh.colors.is_empty() {
         mesh.materials[0].base_color = Vec4::ONE;
     }
 }
 
-/// The note about elements that nothing comes of; values of vertices and faces are many, and every program has its own.
-fn not_shown(elements: &[Element]) -> Option<String> {
+/// The note about elements that nothing comes of, and about colours of faces; other values of vertices and faces are many, and every program has
+/// its own.
+fn not_shown<'e>(elements: impl Iterator<Item = &'e Element> + Clone) -> Option<String> {
     let mut parts = NotShown::default();
     let is_read = |element: &&Element| matches!(element.name.as_str(), "vertex" | "face" | "tristrips");
-    let others = elements.iter().filter(|element| !is_read(element));
+    let others = elements.clone().filter(|element| !is_read(element));
     others.for_each(|element| parts.count(&element.name, element.count));
+    let has_red = |element: &Element| element.count > 0 && element.find(&["red", "diffuse_red"]).is_some();
+    let is_colored = |name: &str| elements.clone().any(|element| element.name == name && has_red(element));
+    if is_colored("face") && !is_colored("vertex") {
+        parts.name("colours of faces");
+    }
     parts.note()
 }
 
@@ -216,6 +227,55 @@ mod tests {
         let mesh = read_bytes(text.as_bytes()).unwrap();
         assert_eq!(mesh.offset, DVec3::new(691_000.0, 0.0, 0.0));
         assert!((mesh.positions[1].x - 0.126).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_texture_without_coordinates_and_colours_of_faces_are_told() {
+        let text = |vertex: &str, color: &str| {
+            let text = format!(
+                "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex 3\nproperty float x\nproperty float y\n\
+                property float z\n{vertex}element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n\
+                property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n\
+                0 0 0{color}\n1 0 0{color}\n0 1 0{color}\n3 0 1 2 6 0 0 1 0 0 1 255 0 0\n"
+            );
+            read_bytes(text.as_bytes()).unwrap().notes
+        };
+        let notes = text("", "");
+        assert_eq!(notes.len(), 2, "{notes:?}");
+        assert_eq!(crate::import::reader::parts_not_shown(&notes), ["colours of faces"]);
+        assert!(notes[1].contains("\"wood.png\" is left out"), "{notes:?}");
+        let notes = text("property uchar red\nproperty uchar green\nproperty uchar blue\n", " 1 2 3");
+        assert_eq!(notes.len(), 1, "vertices have colours: {notes:?}");
+    }
+
+    #[test]
+    fn colours_in_floats_are_shares_or_written_as_bytes() {
+        let with = |kind: &str, colors: [[&str; 4]; 3]| {
+            let mut text = String::from("ply\nformat ascii 1.0\nelement vertex 3\n");
+            for name in ["x", "y", "z"] {
+                text += &format!("property float {name}\n");
+            }
+            for name in ["red", "green", "blue", "alpha"] {
+                text += &format!("property {kind} {name}\n");
+            }
+            text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+            for (place, color) in ["0 0 0", "1 0 0", "0 1 0"].iter().zip(colors) {
+                text += &format!("{place} {}\n", color.join(" "));
+            }
+            read_bytes((text + "3 0 1 2\n").as_bytes()).unwrap().colors
+        };
+        let bytes = [["1", "0", "0", "255"], ["127", "64", "255", "51"], ["0", "2", "255", "0"]];
+        let expected = with("uchar", bytes);
+        assert!(expected[1].x < 0.25 && expected[1].w == 0.2, "{expected:?}");
+        for kind in ["float", "double"] {
+            assert_eq!(with(kind, bytes), expected, "{kind}");
+        }
+        // Shares stay what they are beside one that is a little too bright, and opacities are measured apart from colours.
+        let white = Vec4::ONE;
+        let shares = [["1", "1", "1", "1"], ["1.25", "1", "1", "1"], ["0", "0", "0", "0.5"]];
+        assert_eq!(with("float", shares), [white, white, Vec4::new(0.0, 0.0, 0.0, 0.5)]);
+        let mixed = [["255", "255", "255", "1"], ["255", "255", "255", "0.5"], ["nan", "0", "0", "1"]];
+        assert_eq!(with("float", mixed), [white, Vec4::new(1.0, 1.0, 1.0, 0.5), Vec4::new(0.0, 0.0, 0.0, 1.0)]);
     }
 
     #[test]

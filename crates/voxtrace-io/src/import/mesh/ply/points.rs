@@ -4,7 +4,7 @@ use super::header::{Element, Encoding, Header};
 use super::large::unbounded;
 use super::splats;
 use super::values::Values;
-use super::vertices::{Columns, append};
+use super::vertices::{Columns, FullIntensity, append};
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::input::Input;
 use glam::DVec3;
@@ -25,6 +25,7 @@ pub(crate) struct PlyPoints {
     /// Where the first one begins.
     start: u64,
     has_colors: bool,
+    full: FullIntensity,
     frame: PointCloud,
 }
 
@@ -48,9 +49,11 @@ impl PlyPoints {
         {
             return Ok(None);
         }
-        Values::new(input, header.encoding).check_count(&element)?;
+        let mut values = Values::new(input, header.encoding);
+        values.check_count(&element)?;
+        let full = FullIntensity::of_element(&mut values, &element)?;
         let (path, encoding, has_colors) = (path.into(), header.encoding, columns.color.is_some());
-        Ok(Some(Self { path, encoding, element, start, has_colors, frame: PointCloud::default() }))
+        Ok(Some(Self { path, encoding, element, start, has_colors, full, frame: PointCloud::default() }))
     }
 
     /// Bytes that the cloud would take in memory, while it is read.
@@ -84,6 +87,7 @@ impl PointSource for PlyPoints {
             let now = left.min(BATCH);
             let mut mesh = Mesh::new("");
             append(&mut values, &Element { count: now, ..self.element.clone() }, &mut local_origin, &mut mesh)?;
+            self.full.make_linear(&mut mesh.colors);
             mesh.offset = local_origin.offset();
             self.frame.offset = mesh.offset;
             left -= now;

@@ -2,7 +2,7 @@
 
 use super::header::{Element, Encoding};
 use super::values::Values;
-use super::vertices::{Columns, append};
+use super::vertices::{Columns, FullIntensity, append};
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::input::Input;
 use glam::{DVec3, Vec2, Vec3, Vec4};
@@ -30,6 +30,7 @@ struct Block {
 pub(super) struct VertexCache {
     file: File,
     element: Element,
+    full: FullIntensity,
     encoding: Encoding,
     /// Where the first vertex begins, and the bytes of each.
     start: u64,
@@ -44,10 +45,10 @@ pub(super) struct VertexCache {
 }
 
 impl VertexCache {
-    /// The vertices of an element that begins at byte `start`, in about `budget` bytes.
+    /// The vertices of an element that begins at byte `start`, with what is full intensity in its colours, in about `budget` bytes.
     pub fn open(
         path: &Path,
-        element: Element,
+        (element, full): (Element, FullIntensity),
         encoding: Encoding,
         start: u64,
         has_uvs: bool,
@@ -64,6 +65,7 @@ impl VertexCache {
         let mut cache = Self {
             file,
             element,
+            full,
             encoding,
             start,
             size,
@@ -152,6 +154,7 @@ impl VertexCache {
             let offset = error.offset.map(|offset| start + offset);
             error.with_offset(offset)
         })?;
+        self.full.make_linear(&mut mesh.colors);
         let uvs = if self.has_uvs { mesh.uvs } else { Vec::new() };
         self.slots[slot] = Block { positions: mesh.positions, colors: mesh.colors, uvs };
         self.held[slot] = block;

@@ -19,14 +19,67 @@ pub(super) struct Columns {
     pub uv: Option<[usize; 2]>,
 }
 
+/// What stands for full intensity in a file's colours and in its opacities: 1 once whole numbers are shares, but 255 where floating-point
+/// numbers are written as bytes would be, as some programs do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FullIntensity {
+    color: f32,
+    alpha: f32,
+}
+
+impl FullIntensity {
+    /// By the largest value of each.
+    fn of(colors: impl Iterator<Item = Vec4>) -> Self {
+        // Vec4::max would forget all others at a value that is no number.
+        let [red, green, blue, alpha] = colors.fold([0.0f32; 4], |largest, color| {
+            let color = color.to_array();
+            std::array::from_fn(|at| largest[at].max(color[at]))
+        });
+        // Colours that are a little brighter than white are shares yet.
+        let full = |largest: f32| if largest > 2.0 { 255.0 } else { 1.0 };
+        Self { color: full(red.max(green).max(blue)), alpha: full(alpha) }
+    }
+
+    /// That of an element's vertices, which are only read where their types leave it open.
+    pub fn of_element(values: &mut Values, element: &Element) -> Result<Self, ImportError> {
+        let mut full = Self { color: 1.0, alpha: 1.0 };
+        let Some(columns) = Columns::of(element) else { return Ok(full) };
+        let Some(color) = columns.color else { return Ok(full) };
+        let is_float = |&column: &usize| matches!(element.properties[column].kind, Kind::F32 | Kind::F64);
+        if !color.iter().chain(&columns.alpha).any(is_float) {
+            return Ok(full);
+        }
+        for_each_row(values, element, &mut |row, _| {
+            let own = Self::of(std::iter::once(columns.signals(row, element, color)));
+            full = Self { color: full.color.max(own.color), alpha: full.alpha.max(own.alpha) };
+            Ok(())
+        })?;
+        Ok(full)
+    }
+
+    /// Makes linear colours of what [`append`] appended.
+    pub fn make_linear(self, colors: &mut [Vec4]) {
+        let linear: Vec<f32> = (0..=255).map(linear_from_srgb).collect();
+        for color in colors {
+            let srgb = color.truncate().to_array().map(|signal| (signal / self.color).clamp(0.0, 1.0));
+            let [red, green, blue] = srgb.map(|signal| linear[(signal * 255.0).round() as usize]);
+            *color = Vec4::new(red, green, blue, (color.w / self.alpha).clamp(0.0, 1.0));
+        }
+    }
+}
+
 pub(super) fn read(values: &mut Values, element: &Element, mesh: &mut Mesh) -> Result<(), ImportError> {
     let mut local_origin = LocalOrigin::default();
+    let first = mesh.colors.len();
     append(values, element, &mut local_origin, mesh)?;
+    let colors = &mut mesh.colors[first..];
+    FullIntensity::of(colors.iter().copied()).make_linear(colors);
     mesh.offset = local_origin.offset();
     Ok(())
 }
 
-/// Appends the vertices of an element, relative to an local_origin.
+/// Appends the vertices of an element, relative to an local_origin. Their colours are signals as in the file, those of whole numbers as
+/// shares: [`FullIntensity`] makes them linear.
 pub(super) fn append(
     values: &mut Values,
     element: &Element,
@@ -34,7 +87,6 @@ pub(super) fn append(
     mesh: &mut Mesh,
 ) -> Result<(), ImportError> {
     let columns = Columns::of(element).ok_or_else(|| values.malformed("vertices without x, y and z"))?;
-    let linear: Vec<f32> = (0..=255).map(linear_from_srgb).collect();
     let count = element.count as usize;
     // The count has been held against the length of the file, where that is known.
     let room = if values.has_length() { count } else { CHUNK };
@@ -48,11 +100,8 @@ pub(super) fn append(
             return Err(fault("a vertex that is not finite"));
         }
         mesh.positions.push(position);
-        let share = |column: usize| row[column] / element.properties[column].kind.full();
         if let Some(color) = columns.color {
-            let srgb = color.map(|column| linear[(share(column).clamp(0.0, 1.0) * 255.0).round() as usize]);
-            let alpha = columns.alpha.map_or(1.0, |column| share(column).clamp(0.0, 1.0));
-            mesh.colors.push(Vec4::new(srgb[0], srgb[1], srgb[2], alpha as f32));
+            mesh.colors.push(columns.signals(row, element, color));
         }
         if let Some([u, v]) = columns.uv {
             mesh.uvs.push(Vec2::new(row[u] as f32, 1.0 - row[v] as f32));
@@ -130,5 +179,12 @@ impl Columns {
             alpha: find(&["alpha", "diffuse_alpha"]),
             uv: uv.map(|(u, v)| [u, v]),
         })
+    }
+
+    /// Colour and opacity of a vertex, of whole numbers as shares.
+    fn signals(&self, row: &[f64], element: &Element, color: [usize; 3]) -> Vec4 {
+        let share = |column: usize| (row[column] / element.properties[column].kind.full()) as f32;
+        let [red, green, blue] = color.map(share);
+        Vec4::new(red, green, blue, self.alpha.map_or(1.0, share))
     }
 }
