@@ -167,6 +167,37 @@ fn missing_files(map: &str, names: &BTreeSet<String>) -> Vec<String> {
     parts.filter(is_name).filter(|part| !names.contains(*part)).map(str::to_owned).collect()
 }
 
+/// Examples and benchmarks that commands of a page name and no crate has.
+fn missing_targets(page: &str) -> Vec<String> {
+    let crates = || std::fs::read_dir(root().join("crates")).unwrap().map(|entry| entry.unwrap().path());
+    let mut missing = Vec::new();
+    for line in code(page).iter().filter(|line| line.contains("cargo ")) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        for pair in words.windows(2) {
+            let folder = match pair[0] {
+                "--example" => "examples",
+                "--bench" => "benches",
+                _ => continue,
+            };
+            let is_one = |path: PathBuf| path.with_extension("rs").exists() || path.join("main.rs").exists();
+            if !crates().any(|own| is_one(own.join(folder).join(pair[1]))) {
+                missing.push(pair.join(" "));
+            }
+        }
+    }
+    missing
+}
+
+#[test]
+fn every_example_and_benchmark_in_the_pages_is_there() {
+    for (file, page) in pages() {
+        assert_eq!(missing_targets(&page), Vec::<String>::new(), "{}", file.display());
+    }
+    let planted =
+        missing_targets("`cargo run -p a --example none` or `cargo bench --bench rays`, `cargo bench --bench no`");
+    assert_eq!(planted, ["--example none", "--bench no"]);
+}
+
 #[test]
 fn every_path_and_link_in_the_pages_is_there() {
     let missing: Vec<_> = pages().iter().map(|(file, page)| (file.clone(), missing_paths(file, page))).collect();

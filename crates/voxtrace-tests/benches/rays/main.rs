@@ -1,4 +1,4 @@
-//! `cargo bench -p voxtrace-tests`: how many rays a second one core casts through the built-in scenes, and with the
+//! `cargo bench -p voxtrace-tests --bench rays`: how many rays a second one core casts through the built-in scenes, and with the
 //! feature `embree` how many Embree 3 casts, same rays, same run. `docs/benchmarks.md` explains method and options.
 
 mod by_instructions;
