@@ -114,9 +114,9 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
     let own = levels.first().map_or([None; 3], |level| level.axes);
     let (unit, factors) = lengths(own.map(|axis| described.get(axis?)?["unit"].as_str()));
     for level in &mut levels {
-        for axis in 0..3 {
-            level.spacing[axis] *= factors[axis];
-            level.origin[axis] *= factors[axis];
+        for (axis, factor) in factors.iter().enumerate() {
+            level.spacing[axis] *= factor;
+            level.origin[axis] *= factor;
         }
     }
     Ok((!levels.is_empty()).then_some((levels, unit)))
