@@ -110,6 +110,7 @@ enum Verb {
 }
 
 fn main() -> ExitCode {
+    stdout::begin();
     match parse_arguments().and_then(|cli| cli.map_or(Ok(()), run)).and_then(|()| stdout::lost()) {
         Ok(()) => ExitCode::from(failure::OK),
         Err(failure) => {

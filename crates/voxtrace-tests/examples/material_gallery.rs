@@ -1,5 +1,5 @@
 //! The gallery's pictures of materials, one for each slider: five balls and five bricks, from its least value to its greatest. `cargo xtask
-//! pictures material-gallery` runs it and makes the pictures small. `cargo run --release --example material_gallery -- FOLDER [SHEET…]`
+//! pictures material-gallery` runs it and makes the pictures small. `cargo run --release -p voxtrace-tests --example material_gallery -- FOLDER [SHEET…]`
 
 use std::path::Path;
 use voxtrace::glam::{IVec3, Vec3};

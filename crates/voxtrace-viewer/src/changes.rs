@@ -93,7 +93,8 @@ impl Session {
             (editing.before, editing.steps, editing.recovered) = (None, Steps::default(), None);
             editing.pending.clear();
             // Steps are counted anew: none of them is the one that a file holds.
-            if let Some(saved) = editing.saved.as_mut().filter(|saved| saved.state != (0, 0)) {
+            let files = [&mut editing.saved, &mut editing.saving];
+            for saved in files.into_iter().flatten().filter(|saved| saved.state != (0, 0)) {
                 saved.state = (u64::MAX, u64::MAX);
             }
             self.ask(Command::Edit);

@@ -97,16 +97,17 @@ impl Session {
         self.moving.is_some()
     }
 
-    /// A scene whose file has keyframes is read again to be moved, once the timeline is shown. Returns whether it is.
-    pub(crate) fn ask_for_motion(&mut self) -> bool {
-        let has_keyframes = self.open.as_ref().is_some_and(|open| open.keyframes > 0);
-        let is_asked = has_keyframes && self.moving.is_none();
-        if !is_asked || self.refuses_to_read_again() {
-            return false;
+    /// Whether the file of the scene has keyframes.
+    pub(crate) fn has_keyframes(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.keyframes > 0)
+    }
+
+    /// A scene whose file has keyframes is read again to be moved, once the timeline is shown.
+    pub(crate) fn ask_for_motion(&mut self) {
+        if self.has_keyframes() && self.moving.is_none() && !self.refuses_to_read_again() {
+            self.wants_motion = true;
+            self.ask(Command::LoadAgain);
         }
-        self.wants_motion = true;
-        self.ask(Command::LoadAgain);
-        true
     }
 
     /// The command that renders the picture of a scene that moves: the frame under the playhead, of the timeline as it is kept now.

@@ -306,12 +306,16 @@ fn choose(devices: Vec<DeviceInfo>, wanted: Option<&str>) -> Result<DeviceInfo, 
         }
         None => {
             let able = devices.iter().filter(|info| info.walk_missing.is_none() && info.kind != DeviceKind::Cpu);
-            able.min_by_key(|info| (info.kind, std::cmp::Reverse(info.memory_bytes), info.index)).cloned().ok_or_else(
-                || match devices.is_empty() {
-                    true => TraceError::Unsupported("Vulkan finds no device".into()),
-                    false => TraceError::Unsupported(format!("no hardware among the Vulkan devices: {}", names())),
-                },
-            )
+            able.min_by_key(|info| {
+                // A GPU may have a driver that is Vulkan in full, and another one that is not.
+                let is_part = info.has(khr::portability_subset::NAME);
+                (is_part, info.kind, std::cmp::Reverse(info.memory_bytes), info.index)
+            })
+            .cloned()
+            .ok_or_else(|| match devices.is_empty() {
+                true => TraceError::Unsupported("Vulkan finds no device".into()),
+                false => TraceError::Unsupported(format!("no hardware among the Vulkan devices: {}", names())),
+            })
         }
     }
 }

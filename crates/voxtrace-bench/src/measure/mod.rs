@@ -133,7 +133,7 @@ fn begin(
     let name = || Instructions::chosen().name().to_owned();
     measured.walked = matches!(backend, Backend::Cpu(_)).then(|| Walked { instructions: name(), ..Walked::default() });
     backend.tracer().set_scene(scene)?;
-    // That the scene does not fit the device is no loss of it, which notes of a frame mean.
+    // Taken now: notes that are taken after a frame say that the device was lost, and "the scene is in pages" does not.
     measured.notes.extend(backend.tracer().take_notes());
     measured.memory = backend.memory();
     Ok(backend)

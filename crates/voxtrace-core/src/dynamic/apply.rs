@@ -18,11 +18,12 @@ impl DynamicScene {
     /// # Errors
     /// [`EditError`] where the edit names what is not there, or too much; nothing has changed then.
     pub fn edit(&mut self, grid: u32, edit: &Edit) -> Result<Edited, EditError> {
+        // Also where this fails or changes nothing, what is joined next is no part of the step before.
+        self.history.close();
         let changes = self.plan(grid, edit)?;
         let (edited, entry) = self.apply(grid, changes)?;
-        match entry.bricks.is_empty() {
-            true => self.history.close(),
-            false => self.history.push(entry),
+        if !entry.bricks.is_empty() {
+            self.history.push(entry);
         }
         Ok(edited)
     }

@@ -31,7 +31,7 @@ pub(super) struct History {
     most_bytes: u64,
     /// Bricks of the last entry, while edits are joined to it.
     joined: Option<FxHashSet<IVec3>>,
-    /// Whether no edit joins the last entry: one that changed nothing came after it.
+    /// Whether no edit joins the last entry: one that failed or changed nothing came after it.
     is_closed: bool,
 }
 
@@ -83,7 +83,7 @@ impl History {
         *self = Self { most_bytes: self.most_bytes, ..Self::default() };
     }
 
-    /// A new edit that changed nothing: no step of undo, but edits that are joined to it are none with the step before.
+    /// A new edit begins, which may fail or change nothing: edits that are joined to it are no part of the step before.
     pub fn close(&mut self) {
         self.is_closed = true;
     }

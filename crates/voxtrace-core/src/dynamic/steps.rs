@@ -89,6 +89,11 @@ mod tests {
         assert_eq!(scene.undo_steps(), (2, 0));
         scene.undo().unwrap();
         assert_eq!(scene.compact().content_hash(), first, "the stroke before is still there");
+        // And one whose first edit cannot be.
+        scene.edit(0, &dab(4)).unwrap();
+        scene.edit(0, &dab(i32::MAX - 1)).unwrap_err();
+        scene.edit_on(0, &dab(5)).unwrap();
+        assert_eq!(scene.undo_steps(), (3, 0));
     }
 
     #[test]

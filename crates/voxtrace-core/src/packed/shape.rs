@@ -55,8 +55,12 @@ impl PackedScene {
             count if count <= MOST_FOR_OUTERMOST => Detail::Outermost,
             _ => Detail::Boxes,
         };
+        // Each brick would be one box: too many are not made at all.
+        let is_coarse =
+            detail == Detail::Boxes && placed(&counts) > MOST_CELLS && counts.iter().any(|&count| count > 1);
+        let first = if is_coarse { 2 } else { 0 };
         let mut corners: Vec<Vec<IVec3>> = Vec::new();
-        for shift in (0..).step_by(2) {
+        for shift in (first..).step_by(2) {
             corners =
                 (bricks.iter().enumerate()).map(|(grid, bricks)| self.corners(grid, bricks, shift, detail)).collect();
             let counts: Vec<u64> = corners.iter().map(|corners| corners.len() as u64 / 8).collect();

@@ -332,9 +332,9 @@ impl Editing {
         self.state() != (0, 0) || self.steps.has_forgotten
     }
 
-    /// Whether the scene would lose edits if its file were read again, also those that came from a recovery file.
+    /// Whether the scene would lose edits if its file were read again, also those that are under way or came from a recovery file.
     pub(crate) fn has_edits_beside_file(&self) -> bool {
-        self.has_edits() || self.is_recovered || !self.materials_sent.is_empty()
+        self.has_edits() || self.stroke.is_some() || self.is_recovered || !self.materials_sent.is_empty()
     }
 
     /// The drag under way.

@@ -38,7 +38,8 @@ impl Session {
         }
         self.timeline.is_shown |= self.open.is_some();
         if !self.has_motion() && self.timeline.course.track().is_none() {
-            if self.ask_for_motion() {
+            if self.has_keyframes() {
+                self.ask_for_motion();
                 return;
             }
             self.say(tr!("timeline.two_keys"), false);

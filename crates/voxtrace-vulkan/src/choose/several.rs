@@ -8,6 +8,7 @@ use crate::method::Traversal;
 use crate::shared::SharedTracer;
 use crate::tracer::VulkanTracer;
 use crate::vulkan::{Options, Vulkan};
+use ash::khr;
 use voxtrace_core::TraceError;
 
 /// Asks for every GPU.
@@ -45,7 +46,11 @@ fn all(traversal: Traversal, options: &Options) -> Several {
         };
         info.kind != DeviceKind::Cpu && info.walk_missing.is_none() && lacks.is_none()
     };
-    match &devices.iter().filter(is_able).map(|info| info.index).collect::<Vec<_>>()[..] {
+    // A GPU may have a driver that is Vulkan in full, and another one that is not: it does not share a picture with itself.
+    let is_full = |info: &&DeviceInfo| !info.has(khr::portability_subset::NAME);
+    let has_full = devices.iter().filter(is_able).any(|info| is_full(&info));
+    let chosen = devices.iter().filter(is_able).filter(|info| !has_full || is_full(info));
+    match &chosen.map(|info| info.index).collect::<Vec<_>>()[..] {
         [] | [_] => Several::One(None),
         several => Several::These(several.to_vec(), false),
     }

@@ -86,7 +86,7 @@ fn state(tag: &Tag) -> State {
     if let Some(lit) = lit {
         state = state.with("lit", lit);
     }
-    // These count from 0 on, or what is added to the first one.
+    // Bedrock keeps their count less one.
     for (key, own) in [("candles", "candles"), ("cluster_count", "pickles")] {
         if let Some(more) = number(key) {
             state = state.with(own, more.saturating_add(1));

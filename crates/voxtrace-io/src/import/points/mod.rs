@@ -9,7 +9,8 @@ pub(crate) mod xyz;
 /// below zero or decibels, is spread from the least to the largest.
 fn whole_intensities(values: &[f32]) -> Vec<u16> {
     const MOST: f32 = 65_535.0;
-    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    // Numbers so large stand for none.
+    let finite = || values.iter().copied().filter(|value| value.abs() < 1e30);
     let (low, high) = finite().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
     let is_count = low >= 0.0 && high <= MOST && finite().all(|value| value.fract() == 0.0);
     let (from, full) = if is_count {
@@ -37,6 +38,7 @@ mod tests {
         assert_eq!(whole_intensities(&[-2048.0, 2047.0, 0.0]), [0, 65_535, 32_776]);
         assert_eq!(whole_intensities(&[-30.5, -10.5, f32::NAN, -20.5]), [0, 65_535, 0, 32_768]);
         assert_eq!(whole_intensities(&[2.5, 2.5]), [0, 0]);
+        assert_eq!(whole_intensities(&[0.5, 0.0, 1e30]), [32_768, 0, 65_535]);
         assert!(whole_intensities(&[]).is_empty());
     }
 }

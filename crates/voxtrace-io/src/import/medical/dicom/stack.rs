@@ -69,6 +69,10 @@ pub(super) fn volume(
             None => places.push(vec![slice]),
         }
     }
+    // The last digits of positions do not say which of them came first.
+    for place in &mut places {
+        place.sort_by(|a, b| a.number.total_cmp(&b.number).then(a.frame.cmp(&b.frame)));
+    }
     if !has_positions && count > 1 {
         notes.push("the pictures do not say where they lie: they are stacked by their numbers".into());
     }
@@ -184,7 +188,8 @@ fn even(
         return Ok((slices, whole / steps.len() as f64));
     }
     // Segmentations leave out the slices in which nothing lies, wherever those are.
-    let middle = if plane.are_labels { least } else { middle };
+    let near = &steps[..steps.partition_point(|&step| step < 1.5 * least)];
+    let middle = if plane.are_labels { near.iter().sum::<f64>() / near.len() as f64 } else { middle };
     let becomes = if plane.are_labels { "what lies between is empty" } else { "they are mixed" };
     notes.push(format!("slices lie {} to {} mm apart: {becomes} at {} mm", least as f32, most as f32, middle as f32));
     let count = (whole / middle).round() + 1.0;
@@ -201,7 +206,7 @@ fn even(
         let pairs = slices[below].values.iter().zip(&slices[below + 1].values);
         let values = if plane.are_labels {
             let nearest = if part < 0.5 { below } else { below + 1 };
-            let is_near = (depths[nearest] - depth).abs() <= middle * 0.5;
+            let is_near = (depths[nearest] - depth).abs() <= middle * 0.75;
             if is_near { slices[nearest].values.clone() } else { vec![0.0; slices[nearest].values.len()] }
         } else {
             pairs.map(|(&a, &b)| a + (b - a) * part).collect()

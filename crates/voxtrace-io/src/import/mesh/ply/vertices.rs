@@ -35,26 +35,27 @@ impl FullIntensity {
             let color = color.to_array();
             std::array::from_fn(|at| largest[at].max(color[at]))
         });
-        // Colours that are a little brighter than white are shares yet.
-        let full = |largest: f32| if largest > 2.0 { 255.0 } else { 1.0 };
+        // Colours that are brighter than white are shares yet, and a stray value is none of a byte.
+        let full = |largest: f32| if (16.0..256.0).contains(&largest) { 255.0 } else { 1.0 };
         Self { color: full(red.max(green).max(blue)), alpha: full(alpha) }
     }
 
     /// That of an element's vertices, which are only read where their types leave it open.
     pub fn of_element(values: &mut Values, element: &Element) -> Result<Self, ImportError> {
-        let mut full = Self { color: 1.0, alpha: 1.0 };
+        let full = Self { color: 1.0, alpha: 1.0 };
         let Some(columns) = Columns::of(element) else { return Ok(full) };
         let Some(color) = columns.color else { return Ok(full) };
         let is_float = |&column: &usize| matches!(element.properties[column].kind, Kind::F32 | Kind::F64);
         if !color.iter().chain(&columns.alpha).any(is_float) {
             return Ok(full);
         }
+        let mut largest = [0.0f32; 4];
         for_each_row(values, element, &mut |row, _| {
-            let own = Self::of(std::iter::once(columns.signals(row, element, color)));
-            full = Self { color: full.color.max(own.color), alpha: full.alpha.max(own.alpha) };
+            let own = columns.signals(row, element, color).to_array();
+            largest = std::array::from_fn(|at| largest[at].max(own[at]));
             Ok(())
         })?;
-        Ok(full)
+        Ok(Self::of(std::iter::once(Vec4::from_array(largest))))
     }
 
     /// Makes linear colours of what [`append`] appended.
