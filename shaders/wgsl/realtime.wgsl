@@ -826,9 +826,9 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
+fn Lights_sun_cosine_0( receiver_1 : Receiver_0) -> f32
 {
-    return cos_1;
+    return dot_product_0(receiver_1.normal_1, params_0.sun_direction_0);
 }
 
 struct LightNode_0
@@ -890,6 +890,11 @@ struct View_0
      is_far_0 : bool,
 };
 
+fn with_slack_0( receiver_2 : Receiver_0,  cos_1 : f32) -> f32
+{
+    return cos_1;
+}
+
 fn max_element_0( vector_1 : vec3<f32>) -> f32
 {
     return max(max(vector_1.x, vector_1.y), vector_1.z);
@@ -941,20 +946,20 @@ fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
     return _S69;
 }
 
-fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
+fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
     var _S70 : vec3<f32> = vector_of_0(node_2.max_0);
     var _S71 : vec3<f32> = vector_of_0(node_2.min_0);
     var _S72 : vec3<f32> = vec3<f32>(0.5f);
     var half_0 : vec3<f32> = (_S70 - _S71) * _S72;
-    var toward_0 : vec3<f32> = (_S71 + _S70) * _S72 - receiver_2.point_0;
-    var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_1);
-    var aside_0 : f32 = dot_product_0(half_0, abs(receiver_2.normal_1));
-    var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
+    var toward_0 : vec3<f32> = (_S71 + _S70) * _S72 - receiver_3.point_0;
+    var middle_0 : f32 = dot_product_0(toward_0, receiver_3.normal_1);
+    var aside_0 : f32 = dot_product_0(half_0, abs(receiver_3.normal_1));
+    var above_0 : f32 = with_slack_0(receiver_3, middle_0 + aside_0);
     var far_0 : f32 = length_squared_0(toward_0);
     var near_0 : f32 = length_squared_0(half_0);
     var is_far_2 : bool;
-    if((with_slack_0(receiver_2, middle_0 - aside_0)) > 0.0f)
+    if((with_slack_0(receiver_3, middle_0 - aside_0)) > 0.0f)
     {
         is_far_2 = far_0 > (near_0 * 36.0f);
     }
@@ -963,7 +968,7 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
         is_far_2 = false;
     }
     var distance_1 : f32 = length_bound_0(select(half_0, abs(toward_0), vec3<bool>((far_0 > near_0))));
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_1));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0, distance_1));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_0, near_0));
     var _S73 : f32;
     if(above_0 > 0.0f)
@@ -977,32 +982,32 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     return View_x24init_0(_S73, is_far_2);
 }
 
-fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return view_0(top_light_node_0(u32(0)), receiver_3).importance_0 * params_0.light_intensity_0;
+    return view_0(top_light_node_0(u32(0)), receiver_4).importance_0 * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_4 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_4);
+    return importance_of_all_0(receiver_5);
 }
 
-fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = with_slack_0(receiver_5, dot_product_0(receiver_5.normal_1, params_0.sun_direction_0));
+    var cos_theta_0 : f32 = Lights_sun_cosine_0(receiver_6);
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_5);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -1034,19 +1039,18 @@ fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selecti
     return _S75;
 }
 
-fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
+fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
 {
-    var cos_theta_1 : f32 = dot_product_0(receiver_6.normal_1, params_0.sun_direction_0);
     var from_sun_1 : f32;
     if(has_sun_0())
     {
-        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+        from_sun_1 = params_0.sun_irradiance_0 * max(Lights_sun_cosine_0(receiver_7), 0.0f);
     }
     else
     {
         from_sun_1 = 0.0f;
     }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_6);
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_7);
     if(from_others_0 <= 0.0f)
     {
         return 1.0f;
@@ -1054,14 +1058,14 @@ fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
     return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
-fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_8);
     if(!Lights_has_chosen_sky_0())
     {
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
     var _S76 : f32 = 1.0f - sky_3;
     return Selection_x24init_0(sun_2 * _S76, sky_3, (1.0f - sun_2) * _S76);
 }
@@ -1526,7 +1530,7 @@ fn Aim_x24init_0( is_met_1 : bool,  direction_18 : vec3<f32>,  hit_3 : Hit_0,  l
 struct LightSample_0
 {
      ray_4 : Ray_0,
-     cos_theta_2 : f32,
+     cos_theta_1 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
@@ -1541,11 +1545,11 @@ fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_19 : vec3<f32
     return _S103;
 }
 
-fn LightSample_x24init_0( ray_5 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_5 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
     var _S104 : LightSample_0;
     _S104.ray_4 = ray_5;
-    _S104.cos_theta_2 = cos_theta_3;
+    _S104.cos_theta_1 = cos_theta_2;
     _S104.radiance_1 = radiance_2;
     _S104.pdf_2 = pdf_3;
     return _S104;
@@ -1590,15 +1594,15 @@ fn ray_from_0( origin_6 : vec3<f32>,  direction_20 : vec3<f32>) -> Ray_0
     return Ray_x24init_0(origin_6, 0.0f, direction_20, (bitcast<f32>(infinity_bits_0)));
 }
 
-fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_3 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_3 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_3.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_0 : vec2<f32> = sincos_turns_0(u_3.w);
     var direction_21 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_0.x)));
-    var cos_theta_4 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_1, direction_21));
-    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_8.point_0, direction_21), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_4 > 0.0f;
+    var cos_theta_3 : f32 = with_slack_0(receiver_9, dot_product_0(receiver_9.normal_1, direction_21));
+    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, direction_21), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_3 > 0.0f;
 }
 
 struct ChosenDirection_0
@@ -1709,7 +1713,7 @@ fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     return true;
 }
 
-fn Sky_sample_0( receiver_9 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_10 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
@@ -1727,9 +1731,9 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<func
     {
         return false;
     }
-    var cos_theta_5 : f32 = dot_product_0(receiver_9.normal_1, chosen_1.direction_22);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, chosen_1.direction_22), cos_theta_5, chosen_1.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_4);
-    return cos_theta_5 > 0.0f;
+    var cos_theta_4 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_1, chosen_1.direction_22));
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, chosen_1.direction_22), cos_theta_4, chosen_1.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_4);
+    return cos_theta_4 > 0.0f;
 }
 
 struct Descent_0
@@ -1800,7 +1804,7 @@ fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
     return vec2<f32>(normal_or_zero_0(_S125 * unit_0), normal_or_zero_0(_S126 * unit_0));
 }
 
-fn climb_0( receiver_10 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_6 : LightNode_0 = top_light_node_0(start_2);
     var at_0 : u32 = start_2;
@@ -1826,8 +1830,8 @@ fn climb_0( receiver_10 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         {
             _S129 = _S128;
         }
-        var _S130 : View_0 = view_0(node_6, receiver_10);
-        var _S131 : View_0 = view_0(top_light_node_0(_S129), receiver_10);
+        var _S130 : View_0 = view_0(node_6, receiver_11);
+        var _S131 : View_0 = view_0(top_light_node_0(_S129), receiver_11);
         var _S132 : f32;
         if(is_left_0)
         {
@@ -1896,7 +1900,7 @@ fn waits_for_pages_0() -> bool
     return false;
 }
 
-fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -1922,7 +1926,7 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
-        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_12).importance_0, view_0(right_1, receiver_12).importance_0);
         var _S139 : f32 = weights_1.x;
         var _S140 : f32 = weights_1.y;
         var total_3 : f32 = _S139 + _S140;
@@ -2028,14 +2032,14 @@ fn normalize_vector_0( vector_2 : vec3<f32>) -> vec3<f32>
     return vector_2 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_2))));
 }
 
-fn in_grid_0( instance_6 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_6 : u32,  receiver_13 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_12;
+        return receiver_13;
     }
     var _S150 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
-    return Receiver_x24init_0(Transform_point_0(_S150.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S150.grid_from_world_0, receiver_12.normal_1)));
+    return Receiver_x24init_0(Transform_point_0(_S150.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S150.grid_from_world_0, receiver_13.normal_1)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -2111,7 +2115,7 @@ fn Descent_at_1( this_18 : ptr<function, Descent_0>,  root_3 : u32)
     return;
 }
 
-fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -2137,8 +2141,8 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
         var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
-        var of_left_0 : View_0 = view_0(left_2, receiver_13);
-        var of_right_0 : View_0 = view_0(right_2, receiver_13);
+        var of_left_0 : View_0 = view_0(left_2, receiver_14);
+        var of_right_0 : View_0 = view_0(right_2, receiver_14);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
         var _S153 : f32 = weights_2.x;
         var _S154 : f32 = weights_2.y;
@@ -2715,7 +2719,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_5 : vec3<f32>,  face_5 :
     return select(moved_0, outside_0, is_axis_0);
 }
 
-fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -2742,7 +2746,7 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
         }
         else
         {
-            var _S190 : bool = climb_0(receiver_14, _S189.light_leaf_0, &(descent_3));
+            var _S190 : bool = climb_0(receiver_15, _S189.light_leaf_0, &(descent_3));
             _S188 = !_S190;
         }
         if(_S188)
@@ -2755,7 +2759,7 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S191 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            var _S191 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
             _S188 = !_S191;
         }
         else
@@ -2768,7 +2772,7 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_15;
-    var local_0 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
+    var local_0 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_15);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
     var _S192 : bool = descend_1(local_0, aim_2, &(descent_3));
     if(!_S192)
@@ -2798,19 +2802,19 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
     {
         return false;
     }
-    var direction_24 : vec3<f32> = Transform_point_0(_S194.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S194.grid_from_world_0.translation_0), _S196, side_3, on_face_0)) - receiver_14.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_24, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_7);
-    return cos_theta_6 > 0.0f;
+    var direction_24 : vec3<f32> = Transform_point_0(_S194.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S194.grid_from_world_0.translation_0), _S196, side_3, on_face_0)) - receiver_15.point_0;
+    var cos_theta_5 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_24, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_7);
+    return cos_theta_5 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S197 : bool = sample_emitter_0(receiver_15, u_9, aim_3, &((*sample_5)));
+    var _S197 : bool = sample_emitter_0(receiver_16, u_9, aim_3, &((*sample_5)));
     return _S197;
 }
 
-fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_1 : bool;
     if(has_sun_0())
@@ -2831,7 +2835,7 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_10 
     }
     if(is_found_1)
     {
-        var _S198 : bool = SunDisc_sample_0(receiver_16, u_10, &((*sample_6)));
+        var _S198 : bool = SunDisc_sample_0(receiver_17, u_10, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
         is_found_1 = _S198;
     }
@@ -2855,13 +2859,13 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_10 
         }
         if(is_found_1)
         {
-            var _S199 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
+            var _S199 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
             is_found_1 = _S199;
         }
         else
         {
-            var _S200 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
+            var _S200 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
             is_found_1 = _S200;
         }
@@ -3061,11 +3065,11 @@ fn MaterialBsdf_is_delta_0( this_22 : MaterialBsdf_0) -> bool
     return false;
 }
 
-fn Scatter_x24init_0( path_4 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
+fn Scatter_x24init_0( path_4 : Path_0,  receiver_18 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
     var _S212 : Scatter_0;
     _S212.path_0 = path_4;
-    _S212.receiver_0 = receiver_17;
+    _S212.receiver_0 = receiver_18;
     _S212.surface_0 = surface_2;
     _S212.bsdf_0 = bsdf_1;
     _S212.wo_0 = wo_1;
@@ -3102,9 +3106,9 @@ fn cosine_hemisphere_0( u_12 : f32,  v_7 : f32) -> vec3<f32>
     return vec3<f32>(radius_3 * sin_cos_2.y, radius_3 * sin_cos_2.x, square_root_0(1.0f - u_12));
 }
 
-fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
+fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 {
-    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
+    return max(cos_theta_6, 0.0f) * 0.31830987334251404f;
 }
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
@@ -3390,13 +3394,13 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S229);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
-    var receiver_18 : Receiver_0;
+    var receiver_19 : Receiver_0;
     if(is_scattered_2)
     {
         var _S230 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
         inside_4 = _S230;
         var _S231 : vec3<f32> = normalize_vector_0(_S229);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S230, ray_8, t_4), _S219);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S230, ray_8, t_4), _S219);
         wo_5 = _S231;
     }
     else
@@ -3407,22 +3411,22 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
             inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
             inside_4.voxel_0 = hit_5.voxel_1 + vec3<i32>(face_normal_0(hit_5.face_0));
         }
-        receiver_18 = _S228;
+        receiver_19 = _S228;
         wo_5 = wo_4;
     }
-    next_0.origin_0 = receiver_18.point_0;
+    next_0.origin_0 = receiver_19.point_0;
     next_0.shadow_inside_0 = inside_4;
     if(is_weighed_0)
     {
-        receiver_18 = last_3;
+        receiver_19 = last_3;
     }
     if(_S227)
     {
-        (*path_5).selection_0 = Lights_selection_0(receiver_18);
+        (*path_5).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_3 : LightSample_0 = no_light_0();
     var _S232 : bool = !MaterialBsdf_is_delta_0(_S226);
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_18, surface_3, _S226, wo_5, compensation_2, is_scattered_2, _S232);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_19, surface_3, _S226, wo_5, compensation_2, is_scattered_2, _S232);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -3454,7 +3458,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         t_4 = bounce_1.pdf_8;
     }
     (*path_5).pdf_1 = t_4;
-    (*path_5).normal_0 = receiver_18.normal_1;
+    (*path_5).normal_0 = receiver_19.normal_1;
     next_0.direction_0 = bounce_1.wi_0;
     if(!is_scattered_2)
     {
@@ -3658,13 +3662,13 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S241);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
-    var receiver_19 : Receiver_0;
+    var receiver_20 : Receiver_0;
     if(is_scattered_3)
     {
         var _S242 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
         inside_5 = _S242;
         var _S243 : vec3<f32> = normalize_vector_0(_S241);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S242, ray_9, t_5), _S234);
+        receiver_20 = Receiver_x24init_0(Inside_point_0(_S242, ray_9, t_5), _S234);
         wo_7 = _S243;
     }
     else
@@ -3675,17 +3679,17 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
             inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
             inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
         }
-        receiver_19 = _S240;
+        receiver_20 = _S240;
         wo_7 = wo_6;
     }
-    next_1.origin_0 = receiver_19.point_0;
+    next_1.origin_0 = receiver_20.point_0;
     next_1.shadow_inside_0 = inside_5;
     if(is_weighed_1)
     {
-        receiver_19 = last_4;
+        receiver_20 = last_4;
     }
     var light_4 : LightSample_0 = no_light_0();
-    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_19, surface_4, _S238, wo_7, compensation_3, is_scattered_3, false);
+    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_20, surface_4, _S238, wo_7, compensation_3, is_scattered_3, false);
     if(is_weighed_1)
     {
         if(next_1.has_shadow_ray_0)
@@ -3717,7 +3721,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         t_5 = bounce_2.pdf_8;
     }
     (*path_6).pdf_1 = t_5;
-    (*path_6).normal_0 = receiver_19.normal_1;
+    (*path_6).normal_0 = receiver_20.normal_1;
     next_1.direction_0 = bounce_2.wi_0;
     if(!is_scattered_3)
     {
@@ -4172,7 +4176,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S268 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_2);
+        var _S268 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -6184,8 +6188,8 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var _S424 : f32 = path_12.pdf_1;
     var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S424));
     path_12.pdf_1 = _S424;
-    var receiver_20 : Receiver_0 = Receiver_x24init_0(origin_14, normal_9);
-    path_12.selection_0 = Lights_selection_0(receiver_20);
+    var receiver_21 : Receiver_0 = Receiver_x24init_0(origin_14, normal_9);
+    path_12.selection_0 = Lights_selection_0(receiver_21);
     path_12.normal_0 = normal_9;
     var surface_5 : Surface_0 = Surface_x24init_0(origin_14, normal_9, face_11, key_3.instance_9);
     var white_0 : MaterialBsdf_0;
@@ -6194,7 +6198,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.specular_0 = 0.0f;
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
-    scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_20, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
+    scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_21, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_25 : Ray_0 = ray_from_0(origin_14, direction_29);
     return Walker_x24init_0(path_12, ray_25, false, vec3<f32>(0.0f), direction_29, origin_14, in_air_0(), u32(0), false, false, ray_25, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true);
 }

@@ -2908,9 +2908,9 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn with_slack_0( receiver_1 : Receiver_0,  cos_1 : f32) -> f32
+fn Lights_sun_cosine_0( receiver_1 : Receiver_0) -> f32
 {
-    return cos_1;
+    return dot_product_0(receiver_1.normal_2, params_0.sun_direction_0);
 }
 
 struct LightNode_0
@@ -2972,6 +2972,11 @@ struct View_0
      is_far_0 : bool,
 };
 
+fn with_slack_0( receiver_2 : Receiver_0,  cos_1 : f32) -> f32
+{
+    return cos_1;
+}
+
 fn length_bound_0( absolute_0 : vec3<f32>) -> f32
 {
     return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
@@ -3018,20 +3023,20 @@ fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
     return _S194;
 }
 
-fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
+fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
     var _S195 : vec3<f32> = vector_of_0(node_2.max_1);
     var _S196 : vec3<f32> = vector_of_0(node_2.min_1);
     var _S197 : vec3<f32> = vec3<f32>(0.5f);
     var half_1 : vec3<f32> = (_S195 - _S196) * _S197;
-    var toward_0 : vec3<f32> = (_S196 + _S195) * _S197 - receiver_2.point_0;
-    var middle_0 : f32 = dot_product_0(toward_0, receiver_2.normal_2);
-    var aside_0 : f32 = dot_product_0(half_1, abs(receiver_2.normal_2));
-    var above_0 : f32 = with_slack_0(receiver_2, middle_0 + aside_0);
+    var toward_0 : vec3<f32> = (_S196 + _S195) * _S197 - receiver_3.point_0;
+    var middle_0 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
+    var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
+    var above_0 : f32 = with_slack_0(receiver_3, middle_0 + aside_0);
     var far_4 : f32 = length_squared_0(toward_0);
     var near_4 : f32 = length_squared_0(half_1);
     var is_far_2 : bool;
-    if((with_slack_0(receiver_2, middle_0 - aside_0)) > 0.0f)
+    if((with_slack_0(receiver_3, middle_0 - aside_0)) > 0.0f)
     {
         is_far_2 = far_4 > (near_4 * 36.0f);
     }
@@ -3040,7 +3045,7 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
         is_far_2 = false;
     }
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_2.point_0, distance_3));
+    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
     var _S198 : f32;
     if(above_0 > 0.0f)
@@ -3054,32 +3059,32 @@ fn view_0( node_2 : LightNode_0,  receiver_2 : Receiver_0) -> View_0
     return View_x24init_0(_S198, is_far_2);
 }
 
-fn importance_of_all_0( receiver_3 : Receiver_0) -> f32
+fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return view_0(top_light_node_0(u32(0)), receiver_3).importance_0 * params_0.light_intensity_0;
+    return view_0(top_light_node_0(u32(0)), receiver_4).importance_0 * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_4 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_4);
+    return importance_of_all_0(receiver_5);
 }
 
-fn Lights_sun_probability_0( receiver_5 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_0 : f32 = with_slack_0(receiver_5, dot_product_0(receiver_5.normal_2, params_0.sun_direction_0));
+    var cos_theta_0 : f32 = Lights_sun_cosine_0(receiver_6);
     if(cos_theta_0 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_5);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -3111,19 +3116,18 @@ fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selecti
     return _S200;
 }
 
-fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
+fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
 {
-    var cos_theta_1 : f32 = dot_product_0(receiver_6.normal_2, params_0.sun_direction_0);
     var from_sun_1 : f32;
     if(has_sun_0())
     {
-        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
+        from_sun_1 = params_0.sun_irradiance_0 * max(Lights_sun_cosine_0(receiver_7), 0.0f);
     }
     else
     {
         from_sun_1 = 0.0f;
     }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_6);
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_7);
     if(from_others_0 <= 0.0f)
     {
         return 1.0f;
@@ -3131,14 +3135,14 @@ fn Lights_sky_probability_0( receiver_6 : Receiver_0) -> f32
     return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
-fn Lights_selection_0( receiver_7 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_7);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_8);
     if(!Lights_has_chosen_sky_0())
     {
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_7);
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
     var _S201 : f32 = 1.0f - sky_3;
     return Selection_x24init_0(sun_2 * _S201, sky_3, (1.0f - sun_2) * _S201);
 }
@@ -3352,16 +3356,16 @@ fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  l
 struct LightSample_0
 {
      ray_13 : Ray_0,
-     cos_theta_2 : f32,
+     cos_theta_1 : f32,
      radiance_1 : vec3<f32>,
      pdf_2 : f32,
 };
 
-fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_3 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
     var _S210 : LightSample_0;
     _S210.ray_13 = ray_14;
-    _S210.cos_theta_2 = cos_theta_3;
+    _S210.cos_theta_1 = cos_theta_2;
     _S210.radiance_1 = radiance_2;
     _S210.pdf_2 = pdf_3;
     return _S210;
@@ -3406,15 +3410,15 @@ fn ray_from_0( origin_12 : vec3<f32>,  direction_23 : vec3<f32>) -> Ray_0
     return Ray_x24init_0(origin_12, 0.0f, direction_23, (bitcast<f32>(infinity_bits_0)));
 }
 
-fn SunDisc_sample_0( receiver_8 : Receiver_0,  u_4 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_4 : vec4<f32>,  sample_2 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_4.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_0 : vec2<f32> = sincos_turns_0(u_4.w);
     var direction_24 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_0.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_0.x)));
-    var cos_theta_4 : f32 = with_slack_0(receiver_8, dot_product_0(receiver_8.normal_2, direction_24));
-    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_8.point_0, direction_24), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_4 > 0.0f;
+    var cos_theta_3 : f32 = with_slack_0(receiver_9, dot_product_0(receiver_9.normal_2, direction_24));
+    (*sample_2) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, direction_24), cos_theta_3, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_3 > 0.0f;
 }
 
 struct ChosenDirection_0
@@ -3525,7 +3529,7 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     return true;
 }
 
-fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_10 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
@@ -3543,9 +3547,9 @@ fn Sky_sample_0( receiver_9 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<func
     {
         return false;
     }
-    var cos_theta_5 : f32 = dot_product_0(receiver_9.normal_2, chosen_1.direction_25);
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, chosen_1.direction_25), cos_theta_5, chosen_1.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_4);
-    return cos_theta_5 > 0.0f;
+    var cos_theta_4 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_2, chosen_1.direction_25));
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, chosen_1.direction_25), cos_theta_4, chosen_1.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_4);
+    return cos_theta_4 > 0.0f;
 }
 
 struct Descent_0
@@ -3609,7 +3613,7 @@ fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
     return vec2<f32>(normal_or_zero_0(_S231 * unit_0), normal_or_zero_0(_S232 * unit_0));
 }
 
-fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
+fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
 {
     var node_6 : LightNode_0 = top_light_node_0(start_3);
     var at_1 : u32 = start_3;
@@ -3635,8 +3639,8 @@ fn climb_0( receiver_10 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             _S235 = _S234;
         }
-        var _S236 : View_0 = view_0(node_6, receiver_10);
-        var _S237 : View_0 = view_0(top_light_node_0(_S235), receiver_10);
+        var _S236 : View_0 = view_0(node_6, receiver_11);
+        var _S237 : View_0 = view_0(top_light_node_0(_S235), receiver_11);
         var _S238 : f32;
         if(is_left_0)
         {
@@ -3685,7 +3689,7 @@ fn by_chance_0() -> Aim_0
     return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
 }
 
-fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
+fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -3711,7 +3715,7 @@ fn descend_0( receiver_11 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
-        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_11).importance_0, view_0(right_1, receiver_11).importance_0);
+        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_12).importance_0, view_0(right_1, receiver_12).importance_0);
         var _S244 : f32 = weights_1.x;
         var _S245 : f32 = weights_1.y;
         var total_3 : f32 = _S244 + _S245;
@@ -3812,14 +3816,14 @@ fn normalize_vector_0( vector_4 : vec3<f32>) -> vec3<f32>
     return vector_4 * vec3<f32>(divide_0(1.0f, square_root_0(length_squared_0(vector_4))));
 }
 
-fn in_grid_0( instance_13 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_0( instance_13 : u32,  receiver_13 : Receiver_0) -> Receiver_0
 {
     if(IS_SINGLE_0)
     {
-        return receiver_12;
+        return receiver_13;
     }
     var _S255 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
-    return Receiver_x24init_0(Transform_point_0(_S255.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S255.grid_from_world_0, receiver_12.normal_2)));
+    return Receiver_x24init_0(Transform_point_0(_S255.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S255.grid_from_world_0, receiver_13.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3895,7 +3899,7 @@ fn Descent_at_1( this_41 : ptr<function, Descent_0>,  root_3 : u32)
     return;
 }
 
-fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
+fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -3921,8 +3925,8 @@ fn descend_1( receiver_13 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
         var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
-        var of_left_0 : View_0 = view_0(left_2, receiver_13);
-        var of_right_0 : View_0 = view_0(right_2, receiver_13);
+        var of_left_0 : View_0 = view_0(left_2, receiver_14);
+        var of_right_0 : View_0 = view_0(right_2, receiver_14);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
         var _S258 : f32 = weights_2.x;
         var _S259 : f32 = weights_2.y;
@@ -4499,7 +4503,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 
     return select(moved_0, outside_0, is_axis_3);
 }
 
-fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -4526,7 +4530,7 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
         }
         else
         {
-            var _S295 : bool = climb_0(receiver_14, _S294.light_leaf_0, &(descent_3));
+            var _S295 : bool = climb_0(receiver_15, _S294.light_leaf_0, &(descent_3));
             _S293 = !_S295;
         }
         if(_S293)
@@ -4539,7 +4543,7 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S296 : bool = descend_0(receiver_14, by_chance_0(), &(descent_3));
+            var _S296 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
             _S293 = !_S296;
         }
         else
@@ -4552,7 +4556,7 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_15;
-    var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_14);
+    var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_15);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
     var _S297 : bool = descend_1(local_3, aim_2, &(descent_3));
     if(!_S297)
@@ -4582,19 +4586,19 @@ fn sample_emitter_0( receiver_14 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S299.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S299.grid_from_world_0.translation_0), _S301, side_3, on_face_0)) - receiver_14.point_0;
-    var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
-    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_27, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
-    return cos_theta_6 > 0.0f;
+    var direction_27 : vec3<f32> = Transform_point_0(_S299.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S299.grid_from_world_0.translation_0), _S301, side_3, on_face_0)) - receiver_15.point_0;
+    var cos_theta_5 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
+    (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_27, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
+    return cos_theta_5 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S302 : bool = sample_emitter_0(receiver_15, u_10, aim_3, &((*sample_5)));
+    var _S302 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
     return _S302;
 }
 
-fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_9 : bool;
     if(has_sun_0())
@@ -4615,7 +4619,7 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
     }
     if(is_found_9)
     {
-        var _S303 : bool = SunDisc_sample_0(receiver_16, u_11, &((*sample_6)));
+        var _S303 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
         is_found_9 = _S303;
     }
@@ -4639,13 +4643,13 @@ fn Lights_sample_0( receiver_16 : Receiver_0,  selection_3 : Selection_0,  u_11 
         }
         if(is_found_9)
         {
-            var _S304 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S304 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
             is_found_9 = _S304;
         }
         else
         {
-            var _S305 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S305 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
             is_found_9 = _S305;
         }
@@ -4843,11 +4847,11 @@ fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
     return false;
 }
 
-fn Scatter_x24init_0( path_6 : Path_0,  receiver_17 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
+fn Scatter_x24init_0( path_6 : Path_0,  receiver_18 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
     var _S317 : Scatter_0;
     _S317.path_3 = path_6;
-    _S317.receiver_0 = receiver_17;
+    _S317.receiver_0 = receiver_18;
     _S317.surface_0 = surface_2;
     _S317.bsdf_0 = bsdf_1;
     _S317.wo_0 = wo_1;
@@ -4884,9 +4888,9 @@ fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
     return vec3<f32>(radius_3 * sin_cos_2.y, radius_3 * sin_cos_2.x, square_root_0(1.0f - u_13));
 }
 
-fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
+fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 {
-    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
+    return max(cos_theta_6, 0.0f) * 0.31830987334251404f;
 }
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
@@ -5172,13 +5176,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S334);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
-    var receiver_18 : Receiver_0;
+    var receiver_19 : Receiver_0;
     if(is_scattered_2)
     {
         var _S335 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
         inside_4 = _S335;
         var _S336 : vec3<f32> = normalize_vector_0(_S334);
-        receiver_18 = Receiver_x24init_0(Inside_point_0(_S335, ray_17, t_14), _S324);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S335, ray_17, t_14), _S324);
         wo_5 = _S336;
     }
     else
@@ -5189,22 +5193,22 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_18 = _S333;
+        receiver_19 = _S333;
         wo_5 = wo_4;
     }
-    next_0.origin_9 = receiver_18.point_0;
+    next_0.origin_9 = receiver_19.point_0;
     next_0.shadow_inside_1 = inside_4;
     if(is_weighed_0)
     {
-        receiver_18 = last_5;
+        receiver_19 = last_5;
     }
     if(_S332)
     {
-        (*path_7).selection_0 = Lights_selection_0(receiver_18);
+        (*path_7).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_6 : LightSample_0 = no_light_0();
     var _S337 : bool = !MaterialBsdf_is_delta_0(_S331);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_18, surface_3, _S331, wo_5, compensation_2, is_scattered_2, _S337);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S331, wo_5, compensation_2, is_scattered_2, _S337);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5236,7 +5240,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         t_14 = bounce_1.pdf_8;
     }
     (*path_7).pdf_1 = t_14;
-    (*path_7).normal_0 = receiver_18.normal_2;
+    (*path_7).normal_0 = receiver_19.normal_2;
     next_0.direction_5 = bounce_1.wi_0;
     if(!is_scattered_2)
     {
@@ -5389,7 +5393,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S347 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_2);
+        var _S347 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5605,15 +5609,15 @@ fn absorb_1( path_10 : ptr<function, Path_0>,  inside_5 : Inside_0,  ray_21 : Ra
     return;
 }
 
-fn SunDisc_sample_1( receiver_19 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_1( receiver_20 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_1 : f32 = u_19.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_4 : f32 = square_root_0(one_minus_cos_theta_1 * (2.0f - one_minus_cos_theta_1));
     var sin_cos_3 : vec2<f32> = sincos_turns_0(u_19.w);
     var direction_28 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_1)) + (params_0.sun_tangent_0 * vec3<f32>((radius_4 * sin_cos_3.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_4 * sin_cos_3.x)));
-    var cos_theta_8 : f32 = with_slack_0(receiver_19, dot_product_0(receiver_19.normal_2, direction_28));
-    (*sample_12) = LightSample_x24init_0(ray_from_0(receiver_19.point_0, direction_28), cos_theta_8, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_8 > 0.0f;
+    var cos_theta_7 : f32 = with_slack_0(receiver_20, dot_product_0(receiver_20.normal_2, direction_28));
+    (*sample_12) = LightSample_x24init_0(ray_from_0(receiver_20.point_0, direction_28), cos_theta_7, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_7 > 0.0f;
 }
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
@@ -5647,7 +5651,7 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     return true;
 }
 
-fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
@@ -5665,9 +5669,9 @@ fn Sky_sample_1( receiver_20 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
     {
         return false;
     }
-    var cos_theta_9 : f32 = dot_product_0(receiver_20.normal_2, chosen_7.direction_25);
-    (*sample_13) = LightSample_x24init_0(ray_from_0(receiver_20.point_0, chosen_7.direction_25), cos_theta_9, chosen_7.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_7.pdf_4);
-    return cos_theta_9 > 0.0f;
+    var cos_theta_8 : f32 = with_slack_0(receiver_21, dot_product_0(receiver_21.normal_2, chosen_7.direction_25));
+    (*sample_13) = LightSample_x24init_0(ray_from_0(receiver_21.point_0, chosen_7.direction_25), cos_theta_8, chosen_7.radiance_3 * vec3<f32>(params_0.sky_brightness_0), chosen_7.pdf_4);
+    return cos_theta_8 > 0.0f;
 }
 
 fn Descent_at_2( this_53 : ptr<function, Descent_0>,  root_4 : u32)
@@ -5680,7 +5684,7 @@ fn Descent_at_2( this_53 : ptr<function, Descent_0>,  root_4 : u32)
     return;
 }
 
-fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function, Descent_0>) -> bool
+fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function, Descent_0>) -> bool
 {
     var node_13 : LightNode_0 = top_light_node_0(start_4);
     var at_8 : u32 = start_4;
@@ -5706,8 +5710,8 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             _S371 = _S370;
         }
-        var _S372 : View_0 = view_0(node_13, receiver_21);
-        var _S373 : View_0 = view_0(top_light_node_0(_S371), receiver_21);
+        var _S372 : View_0 = view_0(node_13, receiver_22);
+        var _S373 : View_0 = view_0(top_light_node_0(_S371), receiver_22);
         var _S374 : f32;
         if(is_left_4)
         {
@@ -5751,7 +5755,7 @@ fn climb_1( receiver_21 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     return ((*descent_4).weight_0) > 0.0f;
 }
 
-fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<function, Descent_0>) -> bool
+fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -5777,7 +5781,7 @@ fn descend_2( receiver_22 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
-        var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_22).importance_0, view_0(right_3, receiver_22).importance_0);
+        var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_23).importance_0, view_0(right_3, receiver_23).importance_0);
         var _S380 : f32 = weights_4.x;
         var _S381 : f32 = weights_4.y;
         var total_7 : f32 = _S380 + _S381;
@@ -5883,7 +5887,7 @@ fn Descent_at_3( this_54 : ptr<function, Descent_0>,  root_5 : u32)
     return;
 }
 
-fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<function, Descent_0>) -> bool
+fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<function, Descent_0>) -> bool
 {
     for(;;)
     {
@@ -5909,8 +5913,8 @@ fn descend_3( receiver_23 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         var left_5 : LightNode_0 = GridLights_node_0((*descent_6).node_3 + u32(1));
         var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_15);
-        var of_left_1 : View_0 = view_0(left_5, receiver_23);
-        var of_right_1 : View_0 = view_0(right_4, receiver_23);
+        var of_left_1 : View_0 = view_0(left_5, receiver_24);
+        var of_right_1 : View_0 = view_0(right_4, receiver_24);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
         var _S392 : f32 = weights_5.x;
         var _S393 : f32 = weights_5.y;
@@ -6205,7 +6209,7 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     return _S409;
 }
 
-fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_14) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -6232,7 +6236,7 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
         }
         else
         {
-            var _S414 : bool = climb_1(receiver_24, _S413.light_leaf_0, &(descent_7));
+            var _S414 : bool = climb_1(receiver_25, _S413.light_leaf_0, &(descent_7));
             _S412 = !_S414;
         }
         if(_S412)
@@ -6245,7 +6249,7 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     {
         if(!IS_SINGLE_0)
         {
-            var _S415 : bool = descend_2(receiver_24, by_chance_0(), &(descent_7));
+            var _S415 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
             _S412 = !_S415;
         }
         else
@@ -6258,7 +6262,7 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
         }
     }
     var chosen_instance_1 : u32 = descent_7.index_15;
-    var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_24);
+    var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_25);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
     var _S416 : bool = descend_3(local_6, aim_7, &(descent_7));
     if(!_S416)
@@ -6288,19 +6292,19 @@ fn sample_emitter_1( receiver_24 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S418.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S418.grid_from_world_0.translation_0), _S420, side_5, on_face_1)) - receiver_24.point_0;
-    var cos_theta_10 : f32 = with_slack_0(receiver_24, divide_0(dot_product_0(receiver_24.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
-    (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_24.point_0, 0.0f, direction_29, 1.0f), cos_theta_10, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
-    return cos_theta_10 > 0.0f;
+    var direction_29 : vec3<f32> = Transform_point_0(_S418.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S418.grid_from_world_0.translation_0), _S420, side_5, on_face_1)) - receiver_25.point_0;
+    var cos_theta_9 : f32 = with_slack_0(receiver_25, divide_0(dot_product_0(receiver_25.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
+    (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_25.point_0, 0.0f, direction_29, 1.0f), cos_theta_9, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
+    return cos_theta_9 > 0.0f;
 }
 
-fn EmitterTree_sample_1( receiver_25 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_1( receiver_26 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S421 : bool = sample_emitter_1(receiver_25, u_23, aim_8, &((*sample_15)));
+    var _S421 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
     return _S421;
 }
 
-fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_11 : bool;
     if(has_sun_0())
@@ -6321,7 +6325,7 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S422 : bool = SunDisc_sample_1(receiver_26, u_24, &((*sample_16)));
+        var _S422 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
         is_found_11 = _S422;
     }
@@ -6345,13 +6349,13 @@ fn Lights_sample_1( receiver_26 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S423 : bool = Sky_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S423 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
             is_found_11 = _S423;
         }
         else
         {
-            var _S424 : bool = EmitterTree_sample_1(receiver_26, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S424 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
             is_found_11 = _S424;
         }
@@ -6600,13 +6604,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
     var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S436);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
-    var receiver_27 : Receiver_0;
+    var receiver_28 : Receiver_0;
     if(is_scattered_3)
     {
         var _S437 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
         inside_6 = _S437;
         var _S438 : vec3<f32> = normalize_vector_0(_S436);
-        receiver_27 = Receiver_x24init_0(Inside_point_0(_S437, ray_22, t_16), _S426);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S437, ray_22, t_16), _S426);
         wo_11 = _S438;
     }
     else
@@ -6617,22 +6621,22 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_27 = _S435;
+        receiver_28 = _S435;
         wo_11 = wo_10;
     }
-    next_3.origin_9 = receiver_27.point_0;
+    next_3.origin_9 = receiver_28.point_0;
     next_3.shadow_inside_1 = inside_6;
     if(is_weighed_1)
     {
-        receiver_27 = last_6;
+        receiver_28 = last_6;
     }
     if(_S434)
     {
-        (*path_11).selection_0 = Lights_selection_0(receiver_27);
+        (*path_11).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_10 : LightSample_0 = no_light_0();
     var _S439 : bool = !MaterialBsdf_is_delta_0(_S433);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_27, surface_4, _S433, wo_11, compensation_3, is_scattered_3, _S439);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S433, wo_11, compensation_3, is_scattered_3, _S439);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6664,7 +6668,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
         t_16 = bounce_2.pdf_8;
     }
     (*path_11).pdf_1 = t_16;
-    (*path_11).normal_0 = receiver_27.normal_2;
+    (*path_11).normal_0 = receiver_28.normal_2;
     next_3.direction_5 = bounce_2.wi_0;
     if(!is_scattered_3)
     {
@@ -6776,7 +6780,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S448 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_2);
+        var _S448 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -7135,13 +7139,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S467);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
-    var receiver_28 : Receiver_0;
+    var receiver_29 : Receiver_0;
     if(is_scattered_4)
     {
         var _S468 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
         inside_7 = _S468;
         var _S469 : vec3<f32> = normalize_vector_0(_S467);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S468, ray_24, t_17), _S457);
+        receiver_29 = Receiver_x24init_0(Inside_point_0(_S468, ray_24, t_17), _S457);
         wo_13 = _S469;
     }
     else
@@ -7152,22 +7156,22 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_28 = _S466;
+        receiver_29 = _S466;
         wo_13 = wo_12;
     }
-    next_6.origin_9 = receiver_28.point_0;
+    next_6.origin_9 = receiver_29.point_0;
     next_6.shadow_inside_1 = inside_7;
     if(is_weighed_2)
     {
-        receiver_28 = last_7;
+        receiver_29 = last_7;
     }
     if(_S465)
     {
-        (*path_13).selection_0 = Lights_selection_0(receiver_28);
+        (*path_13).selection_0 = Lights_selection_0(receiver_29);
     }
     var light_13 : LightSample_0 = no_light_0();
     var _S470 : bool = !MaterialBsdf_is_delta_0(_S464);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_28, surface_5, _S464, wo_13, compensation_4, is_scattered_4, _S470);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S464, wo_13, compensation_4, is_scattered_4, _S470);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7199,7 +7203,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         t_17 = bounce_3.pdf_8;
     }
     (*path_13).pdf_1 = t_17;
-    (*path_13).normal_0 = receiver_28.normal_2;
+    (*path_13).normal_0 = receiver_29.normal_2;
     next_6.direction_5 = bounce_3.wi_0;
     if(!is_scattered_4)
     {
@@ -8485,8 +8489,8 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var _S574 : f32 = path_15.pdf_1;
     var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S574));
     path_15.pdf_1 = _S574;
-    var receiver_29 : Receiver_0 = Receiver_x24init_0(origin_14, normal_10);
-    path_15.selection_0 = Lights_selection_0(receiver_29);
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_10);
+    path_15.selection_0 = Lights_selection_0(receiver_30);
     path_15.normal_0 = normal_10;
     var surface_6 : Surface_0 = Surface_x24init_0(origin_14, normal_10, face_12, key_5.instance_9);
     var white_0 : MaterialBsdf_0;
@@ -8495,7 +8499,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.specular_1 = 0.0f;
     white_0.eta_0 = 1.0f;
     white_0.facets_0.alpha_0 = 1.0f;
-    scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_29, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
+    scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_30, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_32 : Ray_0 = ray_from_0(origin_14, direction_31);
     return Walker_x24init_0(path_15, ray_32, false, vec3<f32>(0.0f), direction_31, origin_14, in_air_0(), u32(0), false, false, ray_32, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true);
 }
@@ -8911,16 +8915,16 @@ fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
     surface_7.instance_11 = _S595;
     var _S596 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S595), _S594);
     surface_7.normal_3 = _S596;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(_S593, _S596);
+    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S593, _S596);
     var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
-    path_17.selection_0 = Lights_selection_0(receiver_30);
+    path_17.selection_0 = Lights_selection_0(receiver_31);
     var bsdf_2 : MaterialBsdf_0;
     bsdf_2.kind_0 = u32(0);
     bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_78.own_3)))), (bitcast<f32>((scratch_row_0(u32(6), this_78.own_3).x))));
     bsdf_2.specular_1 = 0.0f;
     bsdf_2.eta_0 = 1.0f;
     bsdf_2.facets_0.alpha_0 = 1.0f;
-    return Scatter_x24init_0(path_17, receiver_30, surface_7, bsdf_2, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
+    return Scatter_x24init_0(path_17, receiver_31, surface_7, bsdf_2, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
 }
 
 fn Slot_keep_light_0( this_79 : Slot_0,  next_8 : NextRays_0)

@@ -2641,61 +2641,66 @@ fn has_sun_0() -> bool
     return (params_0.sun_irradiance_0) > 0.0f;
 }
 
-fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
+fn Lights_sun_cosine_0( receiver_4 : Receiver_0) -> f32
+{
+    var _S191 : f32;
+    if((Receiver_slack_0(receiver_4)) > 0.0f)
+    {
+        _S191 = 1.0f;
+    }
+    else
+    {
+        _S191 = dot_product_0(receiver_4.normal_0, params_0.sun_direction_0);
+    }
+    return _S191;
+}
+
+fn importance_of_all_0( receiver_5 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return view_0(top_light_node_0(u32(0)), receiver_4).importance_0 * params_0.light_intensity_0;
+    return view_0(top_light_node_0(u32(0)), receiver_5).importance_0 * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_5 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_6 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_5);
+    return importance_of_all_0(receiver_6);
 }
 
-fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_7 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_1 : f32 = with_slack_0(receiver_6, dot_product_0(receiver_6.normal_0, params_0.sun_direction_0));
+    var cos_theta_1 : f32 = Lights_sun_cosine_0(receiver_7);
     if(cos_theta_1 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_6);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_7);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
     }
-    var cos_theta_2 : f32;
-    if((Receiver_slack_0(receiver_6)) > 0.0f)
-    {
-        cos_theta_2 = 1.0f;
-    }
-    else
-    {
-        cos_theta_2 = cos_theta_1;
-    }
-    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_2, 0.0f);
+    var from_sun_0 : f32 = params_0.sun_irradiance_0 * max(cos_theta_1, 0.0f);
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S191 : bool;
+    var _S192 : bool;
     if(SKY_0 == u32(1))
     {
-        _S191 = (params_0.sky_irradiance_0) > 0.0f;
+        _S192 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S191 = false;
+        _S192 = false;
     }
-    return _S191;
+    return _S192;
 }
 
 struct Selection_0
@@ -2707,26 +2712,25 @@ struct Selection_0
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S192 : Selection_0;
-    _S192.sun_0 = sun_1;
-    _S192.sky_1 = sky_2;
-    _S192.emitters_0 = emitters_1;
-    return _S192;
+    var _S193 : Selection_0;
+    _S193.sun_0 = sun_1;
+    _S193.sky_1 = sky_2;
+    _S193.emitters_0 = emitters_1;
+    return _S193;
 }
 
-fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
+fn Lights_sky_probability_0( receiver_8 : Receiver_0) -> f32
 {
-    var cos_theta_3 : f32 = dot_product_0(receiver_7.normal_0, params_0.sun_direction_0);
     var from_sun_1 : f32;
     if(has_sun_0())
     {
-        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_3, 0.0f);
+        from_sun_1 = params_0.sun_irradiance_0 * max(Lights_sun_cosine_0(receiver_8), 0.0f);
     }
     else
     {
         from_sun_1 = 0.0f;
     }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_7);
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_8);
     if(from_others_0 <= 0.0f)
     {
         return 1.0f;
@@ -2734,16 +2738,16 @@ fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
     return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
-fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_9 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_8);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_9);
     if(!Lights_has_chosen_sky_0())
     {
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S193 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S193, sky_3, (1.0f - sun_2) * _S193);
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_9);
+    var _S194 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S194, sky_3, (1.0f - sun_2) * _S194);
 }
 
 fn miss_0() -> Hit_0
@@ -2753,12 +2757,12 @@ fn miss_0() -> Hit_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_7 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S194 : Aim_0;
-    _S194.is_met_0 = is_met_1;
-    _S194.direction_0 = direction_7;
-    _S194.hit_0 = hit_7;
-    _S194.luminance_0 = luminance_2;
-    return _S194;
+    var _S195 : Aim_0;
+    _S195.is_met_0 = is_met_1;
+    _S195.direction_0 = direction_7;
+    _S195.hit_0 = hit_7;
+    _S195.luminance_0 = luminance_2;
+    return _S195;
 }
 
 fn by_chance_0() -> Aim_0
@@ -2774,36 +2778,36 @@ fn ray_from_0( origin_11 : vec3<f32>,  direction_8 : vec3<f32>) -> Ray_0
 struct LightSample_0
 {
      ray_6 : Ray_0,
-     cos_theta_4 : f32,
+     cos_theta_2 : f32,
      radiance_3 : vec3<f32>,
      pdf_1 : f32,
 };
 
-fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_5 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
+fn LightSample_x24init_0( ray_7 : Ray_0,  cos_theta_3 : f32,  radiance_4 : vec3<f32>,  pdf_2 : f32) -> LightSample_0
 {
-    var _S195 : LightSample_0;
-    _S195.ray_6 = ray_7;
-    _S195.cos_theta_4 = cos_theta_5;
-    _S195.radiance_3 = radiance_4;
-    _S195.pdf_1 = pdf_2;
-    return _S195;
+    var _S196 : LightSample_0;
+    _S196.ray_6 = ray_7;
+    _S196.cos_theta_2 = cos_theta_3;
+    _S196.radiance_3 = radiance_4;
+    _S196.pdf_1 = pdf_2;
+    return _S196;
 }
 
-fn SunDisc_sample_0( receiver_9 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
+fn SunDisc_sample_0( receiver_10 : Receiver_0,  u_2 : vec4<f32>,  sample_3 : ptr<function, LightSample_0>) -> bool
 {
     var one_minus_cos_theta_0 : f32 = u_2.z * params_0.sun_one_minus_cos_theta_max_0;
     var radius_1 : f32 = square_root_0(one_minus_cos_theta_0 * (2.0f - one_minus_cos_theta_0));
     var sin_cos_2 : vec2<f32> = sincos_turns_0(u_2.w);
     var direction_9 : vec3<f32> = params_0.sun_direction_0 * vec3<f32>((1.0f - one_minus_cos_theta_0)) + (params_0.sun_tangent_0 * vec3<f32>((radius_1 * sin_cos_2.y)) + params_0.sun_bitangent_0 * vec3<f32>((radius_1 * sin_cos_2.x)));
-    var cos_theta_6 : f32 = with_slack_0(receiver_9, dot_product_0(receiver_9.normal_0, direction_9));
-    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_9.point_0, direction_9), cos_theta_6, params_0.sun_radiance_0, params_0.sun_pdf_0);
-    return cos_theta_6 > 0.0f;
+    var cos_theta_4 : f32 = with_slack_0(receiver_10, dot_product_0(receiver_10.normal_0, direction_9));
+    (*sample_3) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, direction_9), cos_theta_4, params_0.sun_radiance_0, params_0.sun_pdf_0);
+    return cos_theta_4 > 0.0f;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S196 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S196, 0.0f, _S196, 0.0f), 0.0f, _S196, 0.0f);
+    var _S197 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S197, 0.0f, _S197, 0.0f), 0.0f, _S197, 0.0f);
 }
 
 struct ChosenDirection_0
@@ -2815,36 +2819,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_11 : vec3<f32>,  radiance_6 : vec3<f32>,  pdf_4 : f32) -> ChosenDirection_0
 {
-    var _S197 : ChosenDirection_0;
-    _S197.direction_10 = direction_11;
-    _S197.radiance_5 = radiance_6;
-    _S197.pdf_3 = pdf_4;
-    return _S197;
+    var _S198 : ChosenDirection_0;
+    _S198.direction_10 = direction_11;
+    _S198.radiance_5 = radiance_6;
+    _S198.pdf_3 = pdf_4;
+    return _S198;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_3 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S198 : f32 = abs(u_3);
-    var _S199 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S198 + _S199);
+    var _S199 : f32 = abs(u_3);
+    var _S200 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S199 + _S200);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_1 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_1 = (divide_0(_S199 - _S198, radius_2) + 1.0f) * 0.125f;
+        turns_1 = (divide_0(_S200 - _S199, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_1 = 0.0f;
     }
     var sin_cos_3 : vec2<f32> = sincos_turns_0(turns_1);
-    var _S200 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S200);
+    var _S201 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S201);
     var x_11 : f32 = sin_cos_3.y * across_0;
     var y_8 : f32 = sin_cos_3.x * across_0;
-    var z_2 : f32 = 1.0f - _S200;
+    var z_2 : f32 = 1.0f - _S201;
     if(u_3 < 0.0f)
     {
         turns_1 = - x_11;
@@ -2853,34 +2857,34 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_1 = x_11;
     }
-    var _S201 : f32;
+    var _S202 : f32;
     if(v_5 < 0.0f)
     {
-        _S201 = - y_8;
+        _S202 = - y_8;
     }
     else
     {
-        _S201 = y_8;
+        _S202 = y_8;
     }
-    var _S202 : f32;
+    var _S203 : f32;
     if(height_1 < 0.0f)
     {
-        _S202 = - z_2;
+        _S203 = - z_2;
     }
     else
     {
-        _S202 = z_2;
+        _S203 = z_2;
     }
-    return vec3<f32>(turns_1, _S201, _S202);
+    return vec3<f32>(turns_1, _S202, _S203);
 }
 
 fn Environment_to_world_0( d_1 : vec3<f32>) -> vec3<f32>
 {
     var sin_1 : f32 = params_0.sky_turned_0.x;
     var cos_2 : f32 = params_0.sky_turned_0.y;
-    var _S203 : f32 = d_1.x;
-    var _S204 : f32 = d_1.y;
-    return vec3<f32>(_S203 * cos_2 + _S204 * sin_1, _S204 * cos_2 - _S203 * sin_1, d_1.z);
+    var _S204 : f32 = d_1.x;
+    var _S205 : f32 = d_1.y;
+    return vec3<f32>(_S204 * cos_2 + _S205 * sin_1, _S205 * cos_2 - _S204 * sin_1, d_1.z);
 }
 
 fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
@@ -2895,42 +2899,42 @@ fn Environment_index_of_0( x_12 : i32,  y_9 : i32) -> u32
     {
         is_beside_0 = x_12 > last_1;
     }
-    var _S205 : i32;
-    if(is_beside_0)
-    {
-        _S205 = last_1 - y_9;
-    }
-    else
-    {
-        _S205 = y_9;
-    }
     var _S206 : i32;
     if(is_beside_0)
     {
-        _S206 = clamp(x_12, i32(0), last_1);
+        _S206 = last_1 - y_9;
     }
     else
     {
-        _S206 = x_12;
+        _S206 = y_9;
+    }
+    var _S207 : i32;
+    if(is_beside_0)
+    {
+        _S207 = clamp(x_12, i32(0), last_1);
+    }
+    else
+    {
+        _S207 = x_12;
     }
     var is_beyond_0 : bool;
-    if(_S205 < i32(0))
+    if(_S206 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S205 > last_1;
+        is_beyond_0 = _S206 > last_1;
     }
     if(is_beyond_0)
     {
-        _S206 = last_1 - _S206;
+        _S207 = last_1 - _S207;
     }
     if(is_beyond_0)
     {
-        _S205 = clamp(_S205, i32(0), last_1);
+        _S206 = clamp(_S206, i32(0), last_1);
     }
-    return u32(_S205 * i32(params_0.sky_edge_0) + _S206);
+    return u32(_S206 * i32(params_0.sky_edge_0) + _S207);
 }
 
 fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
@@ -2940,29 +2944,29 @@ fn Environment_texel_radiance_0( x_13 : i32,  y_10 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_0 : vec2<f32>) -> vec3<f32>
 {
-    var _S207 : vec2<f32> = place_0 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S207);
-    var beyond_0 : vec2<f32> = _S207 - corner_1;
+    var _S208 : vec2<f32> = place_0 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S208);
+    var beyond_0 : vec2<f32> = _S208 - corner_1;
     var x_14 : i32 = i32(corner_1.x);
     var y_11 : i32 = i32(corner_1.y);
-    var _S208 : f32 = beyond_0.x;
-    var _S209 : vec3<f32> = vec3<f32>((1.0f - _S208));
-    var _S210 : i32 = x_14 + i32(1);
-    var _S211 : vec3<f32> = vec3<f32>(_S208);
-    var _S212 : i32 = y_11 + i32(1);
-    var _S213 : f32 = beyond_0.y;
-    return (Environment_texel_radiance_0(x_14, y_11) * _S209 + Environment_texel_radiance_0(_S210, y_11) * _S211) * vec3<f32>((1.0f - _S213)) + (Environment_texel_radiance_0(x_14, _S212) * _S209 + Environment_texel_radiance_0(_S210, _S212) * _S211) * vec3<f32>(_S213);
+    var _S209 : f32 = beyond_0.x;
+    var _S210 : vec3<f32> = vec3<f32>((1.0f - _S209));
+    var _S211 : i32 = x_14 + i32(1);
+    var _S212 : vec3<f32> = vec3<f32>(_S209);
+    var _S213 : i32 = y_11 + i32(1);
+    var _S214 : f32 = beyond_0.y;
+    return (Environment_texel_radiance_0(x_14, y_11) * _S210 + Environment_texel_radiance_0(_S211, y_11) * _S212) * vec3<f32>((1.0f - _S214)) + (Environment_texel_radiance_0(x_14, _S213) * _S210 + Environment_texel_radiance_0(_S211, _S213) * _S212) * vec3<f32>(_S214);
 }
 
 fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S214 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S214, _S214, 0.0f);
+    var _S215 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S215, _S215, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S215 : f32 = u_4.x * edge_0;
-    var _S216 : f32 = edge_0 - 1.0f;
-    var _S217 : f32 = min(floor(_S215), _S216);
-    var own_0 : u32 = u32(_S217) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S216));
+    var _S216 : f32 = u_4.x * edge_0;
+    var _S217 : f32 = edge_0 - 1.0f;
+    var _S218 : f32 = min(floor(_S216), _S217);
+    var own_0 : u32 = u32(_S218) * params_0.sky_edge_0 + u32(min(floor(u_4.y * edge_0), _S217));
     var index_17 : u32;
     if((u_4.z) < (environment_0[own_0].threshold_0))
     {
@@ -2977,57 +2981,57 @@ fn Environment_choose_0( u_4 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S218 : u32 = index_17 % params_0.sky_edge_0;
-    var _S219 : f32 = f32(_S218);
-    var _S220 : u32 = index_17 / params_0.sky_edge_0;
-    var place_1 : vec2<f32> = vec2<f32>(_S219, f32(_S220)) + vec2<f32>(min(_S215 - _S217, 1.0f), u_4.w);
+    var _S219 : u32 = index_17 % params_0.sky_edge_0;
+    var _S220 : f32 = f32(_S219);
+    var _S221 : u32 = index_17 / params_0.sky_edge_0;
+    var place_1 : vec2<f32> = vec2<f32>(_S220, f32(_S221)) + vec2<f32>(min(_S216 - _S218, 1.0f), u_4.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_1 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_1), pdf_5);
     return true;
 }
 
-fn Sky_sample_0( receiver_10 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
+fn Sky_sample_0( receiver_11 : Receiver_0,  u_5 : vec4<f32>,  sample_4 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_4) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S221 : bool;
+    var _S222 : bool;
     if(SKY_0 != u32(1))
     {
-        _S221 = true;
+        _S222 = true;
     }
     else
     {
-        var _S222 : bool = Environment_choose_0(u_5, &(chosen_1));
-        _S221 = !_S222;
+        var _S223 : bool = Environment_choose_0(u_5, &(chosen_1));
+        _S222 = !_S223;
     }
-    if(_S221)
+    if(_S222)
     {
         return false;
     }
-    var cos_theta_7 : f32 = dot_product_0(receiver_10.normal_0, chosen_1.direction_10);
-    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_10.point_0, chosen_1.direction_10), cos_theta_7, chosen_1.radiance_5 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_3);
-    return cos_theta_7 > 0.0f;
+    var cos_theta_5 : f32 = with_slack_0(receiver_11, dot_product_0(receiver_11.normal_0, chosen_1.direction_10));
+    (*sample_4) = LightSample_x24init_0(ray_from_0(receiver_11.point_0, chosen_1.direction_10), cos_theta_5, chosen_1.radiance_5 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_3);
+    return cos_theta_5 > 0.0f;
 }
 
 fn Descent_x24init_0( node_8 : u32,  index_18 : u32,  count_4 : u32,  weight_2 : f32,  total_3 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S223 : Descent_0;
-    _S223.node_0 = node_8;
-    _S223.index_0 = index_18;
-    _S223.count_1 = count_4;
-    _S223.weight_0 = weight_2;
-    _S223.total_0 = total_3;
-    _S223.choice_0 = choice_1;
-    _S223.is_far_0 = is_far_4;
-    return _S223;
+    var _S224 : Descent_0;
+    _S224.node_0 = node_8;
+    _S224.index_0 = index_18;
+    _S224.count_1 = count_4;
+    _S224.weight_0 = weight_2;
+    _S224.total_0 = total_3;
+    _S224.choice_0 = choice_1;
+    _S224.is_far_0 = is_far_4;
+    return _S224;
 }
 
-fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
+fn climb_0( receiver_12 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function, Descent_0>) -> bool
 {
     var node_9 : LightNode_0 = top_light_node_0(start_2);
     var at_6 : u32 = start_2;
     for(;;)
     {
-        var _S224 : LightNode_0 = node_9;
+        var _S225 : LightNode_0 = node_9;
         if((node_9.parent_0) != u32(4294967295))
         {
         }
@@ -3035,29 +3039,20 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S224.parent_0);
-        var _S225 : u32 = _S224.parent_0 + u32(1);
-        var is_left_2 : bool = at_6 == _S225;
-        var _S226 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S225.parent_0);
+        var _S226 : u32 = _S225.parent_0 + u32(1);
+        var is_left_2 : bool = at_6 == _S226;
+        var _S227 : u32;
         if(is_left_2)
         {
-            _S226 = parent_1.index_1;
+            _S227 = parent_1.index_1;
         }
         else
         {
-            _S226 = _S225;
+            _S227 = _S226;
         }
-        var _S227 : View_0 = view_0(node_9, receiver_11);
-        var _S228 : View_0 = view_0(top_light_node_0(_S226), receiver_11);
-        var _S229 : f32;
-        if(is_left_2)
-        {
-            _S229 = _S227.importance_0;
-        }
-        else
-        {
-            _S229 = _S228.importance_0;
-        }
+        var _S228 : View_0 = view_0(node_9, receiver_12);
+        var _S229 : View_0 = view_0(top_light_node_0(_S227), receiver_12);
         var _S230 : f32;
         if(is_left_2)
         {
@@ -3065,101 +3060,110 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_2 : ptr<function,
         }
         else
         {
-            _S230 = _S227.importance_0;
+            _S230 = _S229.importance_0;
         }
-        var weights_2 : vec2<f32> = weights_of_0(_S229, _S230);
-        var _S231 : f32 = weights_2.x;
-        var _S232 : f32 = weights_2.y;
-        var total_4 : f32 = _S231 + _S232;
+        var _S231 : f32;
+        if(is_left_2)
+        {
+            _S231 = _S229.importance_0;
+        }
+        else
+        {
+            _S231 = _S228.importance_0;
+        }
+        var weights_2 : vec2<f32> = weights_of_0(_S230, _S231);
+        var _S232 : f32 = weights_2.x;
+        var _S233 : f32 = weights_2.y;
+        var total_4 : f32 = _S232 + _S233;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S233 : f32;
+        var _S234 : f32;
         if(is_left_2)
         {
-            _S233 = _S231;
+            _S234 = _S232;
         }
         else
         {
-            _S233 = _S232;
+            _S234 = _S233;
         }
-        (*descent_2).weight_0 = (*descent_2).weight_0 * _S233;
+        (*descent_2).weight_0 = (*descent_2).weight_0 * _S234;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
         node_9 = parent_1;
-        at_6 = _S224.parent_0;
+        at_6 = _S225.parent_0;
     }
     return ((*descent_2).weight_0) > 0.0f;
 }
 
-fn in_grid_3( instance_7 : u32,  receiver_12 : Receiver_0) -> Receiver_0
+fn in_grid_3( instance_7 : u32,  receiver_13 : Receiver_0) -> Receiver_0
 {
-    var _S234 : bool;
+    var _S235 : bool;
     if(IS_SINGLE_0)
     {
         if(HAS_CUTS_0)
         {
-            _S234 = true;
+            _S235 = true;
         }
         else
         {
-            _S234 = HAS_NORMALS_0;
+            _S235 = HAS_NORMALS_0;
         }
     }
     else
     {
-        _S234 = false;
+        _S235 = false;
     }
-    if(_S234)
+    if(_S235)
     {
-        _S234 = (Receiver_slack_0(receiver_12)) <= 0.0f;
+        _S235 = (Receiver_slack_0(receiver_13)) <= 0.0f;
     }
     else
     {
-        _S234 = false;
+        _S235 = false;
     }
-    if(_S234)
+    if(_S235)
     {
-        return Receiver_x24init_0(receiver_12.point_0, normalize_vector_0(receiver_12.normal_0));
+        return Receiver_x24init_0(receiver_13.point_0, normalize_vector_0(receiver_13.normal_0));
     }
     if(IS_SINGLE_0)
     {
-        return receiver_12;
+        return receiver_13;
     }
-    var _S235 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
-    if((Receiver_slack_0(receiver_12)) > 0.0f)
+    var _S236 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_7);
+    if((Receiver_slack_0(receiver_13)) > 0.0f)
     {
-        return Receiver_x24init_0(Transform_point_0(_S235.grid_from_world_0, receiver_12.point_0), receiver_12.normal_0);
+        return Receiver_x24init_0(Transform_point_0(_S236.grid_from_world_0, receiver_13.point_0), receiver_13.normal_0);
     }
-    return Receiver_x24init_0(Transform_point_0(_S235.grid_from_world_0, receiver_12.point_0), normalize_vector_0(Transform_direction_0(_S235.grid_from_world_0, receiver_12.normal_0)));
+    return Receiver_x24init_0(Transform_point_0(_S236.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S236.grid_from_world_0, receiver_13.normal_0)));
 }
 
 fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_3.node_0);
-    var _S236 : vec3<f32> = vector_of_0(node_10.max_0);
-    var _S237 : vec3<f32> = vector_of_0(node_10.min_0);
-    var _S238 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S236 - _S237) * _S238;
-    var toward_1 : vec3<f32> = (_S237 + _S236) * _S238 - point_7;
+    var _S237 : vec3<f32> = vector_of_0(node_10.max_0);
+    var _S238 : vec3<f32> = vector_of_0(node_10.min_0);
+    var _S239 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S237 - _S238) * _S239;
+    var toward_1 : vec3<f32> = (_S238 + _S237) * _S239 - point_7;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_7, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_2 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_2;
-    var _S239 : f32 = way_3.choice_0 * total_5;
-    var _S240 : u32 = (*side_0);
+    var _S240 : f32 = way_3.choice_0 * total_5;
+    var _S241 : u32 = (*side_0);
     var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_2);
-    var _S241 : bool;
+    var _S242 : bool;
     if(is_met_2)
     {
-        _S241 = u32(0) == _S240;
+        _S242 = u32(0) == _S241;
     }
     else
     {
-        _S241 = share_0 > 0.0f;
+        _S242 = share_0 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S241)
+    if(_S242)
     {
         (*side_0) = u32(0);
         chosen_2 = share_0;
@@ -3168,145 +3172,145 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S242 : bool = _S239 < (share_0 * way_3.weight_0);
+    var _S243 : bool = _S240 < (share_0 * way_3.weight_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_2);
     if(is_met_2)
     {
-        _S241 = u32(1) == _S240;
+        _S242 = u32(1) == _S241;
     }
     else
     {
         if(share_1 > 0.0f)
         {
-            _S241 = !_S242;
+            _S242 = !_S243;
         }
         else
         {
-            _S241 = false;
+            _S242 = false;
         }
     }
-    if(_S241)
+    if(_S242)
     {
         (*side_0) = u32(1);
         chosen_2 = share_1;
     }
     var passed_0 : f32 = share_0 + share_1;
-    if(_S242)
+    if(_S243)
     {
-        _S241 = true;
+        _S242 = true;
     }
     else
     {
-        _S241 = _S239 < (passed_0 * way_3.weight_0);
+        _S242 = _S240 < (passed_0 * way_3.weight_0);
     }
     var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_2);
-    var _S243 : bool;
+    var _S244 : bool;
     if(is_met_2)
     {
-        _S243 = u32(2) == _S240;
+        _S244 = u32(2) == _S241;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S243 = !_S241;
+            _S244 = !_S242;
         }
         else
         {
-            _S243 = false;
+            _S244 = false;
         }
     }
-    if(_S243)
+    if(_S244)
     {
         (*side_0) = u32(2);
         chosen_2 = share_2;
     }
     var passed_1 : f32 = passed_0 + share_2;
-    if(_S241)
+    if(_S242)
     {
-        _S241 = true;
+        _S242 = true;
     }
     else
     {
-        _S241 = _S239 < (passed_1 * way_3.weight_0);
+        _S242 = _S240 < (passed_1 * way_3.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_2);
     if(is_met_2)
     {
-        _S243 = u32(3) == _S240;
+        _S244 = u32(3) == _S241;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S243 = !_S241;
+            _S244 = !_S242;
         }
         else
         {
-            _S243 = false;
+            _S244 = false;
         }
     }
-    if(_S243)
+    if(_S244)
     {
         (*side_0) = u32(3);
         chosen_2 = share_3;
     }
     var passed_2 : f32 = passed_1 + share_3;
-    if(_S241)
+    if(_S242)
     {
-        _S241 = true;
+        _S242 = true;
     }
     else
     {
-        _S241 = _S239 < (passed_2 * way_3.weight_0);
+        _S242 = _S240 < (passed_2 * way_3.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S243 = u32(4) == _S240;
+        _S244 = u32(4) == _S241;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S243 = !_S241;
+            _S244 = !_S242;
         }
         else
         {
-            _S243 = false;
+            _S244 = false;
         }
     }
-    if(_S243)
+    if(_S244)
     {
         (*side_0) = u32(4);
         chosen_2 = share_4;
     }
     var passed_3 : f32 = passed_2 + share_4;
-    if(_S241)
+    if(_S242)
     {
-        _S241 = true;
+        _S242 = true;
     }
     else
     {
-        _S241 = _S239 < (passed_3 * way_3.weight_0);
+        _S242 = _S240 < (passed_3 * way_3.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_2);
     if(is_met_2)
     {
-        _S241 = u32(5) == _S240;
+        _S242 = u32(5) == _S241;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S241 = !_S241;
+            _S242 = !_S242;
         }
         else
         {
-            _S241 = false;
+            _S242 = false;
         }
     }
-    if(_S241)
+    if(_S242)
     {
         (*side_0) = u32(5);
         chosen_2 = share_5;
@@ -3314,13 +3318,13 @@ fn choose_side_0( point_7 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S241 = ((*odds_0).x) > 0.0f;
+        _S242 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S241 = false;
+        _S242 = false;
     }
-    return _S241;
+    return _S242;
 }
 
 fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
@@ -3330,16 +3334,16 @@ fn light_node_word_0( index_19 : u32,  word_7 : u32) -> u32
 
 fn light_power_at_0( index_20 : u32,  side_1 : u32) -> f32
 {
-    var _S244 : u32;
+    var _S245 : u32;
     if(lights_in_pages_0())
     {
-        _S244 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
+        _S245 = cells_0[place_in_light_node_0(index_20, u32(8) + side_1)];
     }
     else
     {
-        _S244 = light_node_word_0(index_20, u32(8) + side_1);
+        _S245 = light_node_word_0(index_20, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S244)));
+    return (bitcast<f32>((_S245)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_3 : u32) -> f32
@@ -3395,30 +3399,30 @@ fn emitter_word_0( index_22 : u32,  word_9 : u32) -> u32
 
 fn emitter_faces_at_0( index_23 : u32) -> u32
 {
-    var _S245 : u32;
+    var _S246 : u32;
     if(lights_in_pages_0())
     {
-        _S245 = cells_0[place_in_emitter_0(index_23, u32(4))];
+        _S246 = cells_0[place_in_emitter_0(index_23, u32(4))];
     }
     else
     {
-        _S245 = emitter_word_0(index_23, u32(4));
+        _S246 = emitter_word_0(index_23, u32(4));
     }
-    return _S245;
+    return _S246;
 }
 
 fn emitter_luminance_at_0( index_24 : u32) -> f32
 {
-    var _S246 : f32;
+    var _S247 : f32;
     if(lights_in_pages_0())
     {
-        _S246 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
+        _S247 = (bitcast<f32>((cells_0[place_in_emitter_0(index_24, u32(6))])));
     }
     else
     {
-        _S246 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
+        _S247 = (bitcast<f32>((emitter_word_0(index_24, u32(6)))));
     }
-    return _S246;
+    return _S247;
 }
 
 struct Emitter_0
@@ -3433,29 +3437,29 @@ struct Emitter_0
 
 fn Emitter_x24init_0( voxel_11 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_1 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S247 : Emitter_0;
-    _S247.voxel_10 = voxel_11;
-    _S247.grid_6 = grid_7;
-    _S247.faces_0 = faces_1;
-    _S247.material_0 = material_1;
-    _S247.luminance_4 = luminance_5;
-    _S247.leaf_0 = leaf_1;
-    return _S247;
+    var _S248 : Emitter_0;
+    _S248.voxel_10 = voxel_11;
+    _S248.grid_6 = grid_7;
+    _S248.faces_0 = faces_1;
+    _S248.material_0 = material_1;
+    _S248.luminance_4 = luminance_5;
+    _S248.leaf_0 = leaf_1;
+    return _S248;
 }
 
 fn emitter_at_0( index_25 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S248 : u32 = u32(2) * index_25;
-        var _S249 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S248);
-        var _S250 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S248 + u32(1));
-        var _S251 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S249.x), i32(_S249.y), i32(_S249.z) );
-        return Emitter_x24init_0(_S251, _S249.w, _S250.x, _S250.y, (bitcast<f32>((_S250.z))), _S250.w);
+        var _S249 : u32 = u32(2) * index_25;
+        var _S250 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S249);
+        var _S251 : vec4<u32> = Rows_operatorx5Bx5D_get_1(_S249 + u32(1));
+        var _S252 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S250.x), i32(_S250.y), i32(_S250.z) );
+        return Emitter_x24init_0(_S252, _S250.w, _S251.x, _S251.y, (bitcast<f32>((_S251.z))), _S251.w);
     }
     var at_8 : u32 = place_in_emitter_0(index_25, u32(0));
-    var _S252 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
-    return Emitter_x24init_0(_S252, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
+    var _S253 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_8]), i32(cells_0[at_8 + u32(1)]), i32(cells_0[at_8 + u32(2)]) );
+    return Emitter_x24init_0(_S253, cells_0[at_8 + u32(3)], cells_0[at_8 + u32(4)], cells_0[at_8 + u32(5)], (bitcast<f32>((cells_0[at_8 + u32(6)]))), cells_0[at_8 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -3465,7 +3469,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_5 : u32 = way_4.count_1;
     var node_11 : u32 = way_4.node_0;
     var index_26 : u32 = way_4.index_0;
-    var _S253 : f32 = threshold_1;
+    var _S254 : f32 = threshold_1;
     for(;;)
     {
         if(count_5 == u32(0))
@@ -3485,7 +3489,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        if(_S253 < power_left_0)
+        if(_S254 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -3498,7 +3502,7 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S253 = _S253 - power_left_0;
+            _S254 = _S254 - power_left_0;
         }
         if(is_left_3)
         {
@@ -3509,9 +3513,9 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             node_11 = index_26;
         }
         var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S254 : u32 = below_0.x;
+        var _S255 : u32 = below_0.x;
         count_5 = below_0.y;
-        index_26 = _S254;
+        index_26 = _S255;
     }
     is_found_0 = false;
     var chosen_3 : u32 = index_26;
@@ -3535,10 +3539,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_9)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S255 : f32 = _S253 - emitter_luminance_at_0(at_9);
-            is_found_0 = _S253 < (emitter_luminance_at_0(at_9));
+            var _S256 : f32 = _S254 - emitter_luminance_at_0(at_9);
+            is_found_0 = _S254 < (emitter_luminance_at_0(at_9));
             chosen_3 = at_9;
-            _S253 = _S255;
+            _S254 = _S256;
         }
         at_9 = at_9 + u32(1);
     }
@@ -3583,57 +3587,57 @@ struct PackedMaterial_0
 
 fn material_of_index_0( index_27 : u32) -> PackedMaterial_0
 {
-    var _S256 : u32 = u32(4) * index_27;
-    var _S257 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256);
-    var _S258 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256 + u32(1));
-    var _S259 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256 + u32(2));
-    var _S260 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S256 + u32(3));
+    var _S257 : u32 = u32(4) * index_27;
+    var _S258 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S257);
+    var _S259 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S257 + u32(1));
+    var _S260 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S257 + u32(2));
+    var _S261 : vec4<u32> = Rows_operatorx5Bx5D_get_0(_S257 + u32(3));
     var material_2 : PackedMaterial_0;
-    var _S261 : f32 = (bitcast<f32>((_S257.y)));
-    var _S262 : f32 = (bitcast<f32>((_S257.z)));
-    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S257.x)));
-    material_2.base_color_0[i32(1)] = _S261;
-    material_2.base_color_0[i32(2)] = _S262;
-    var _S263 : f32 = (bitcast<f32>((_S258.y)));
-    var _S264 : f32 = (bitcast<f32>((_S258.z)));
-    material_2.emission_0[i32(0)] = (bitcast<f32>((_S258.x)));
-    material_2.emission_0[i32(1)] = _S263;
-    material_2.emission_0[i32(2)] = _S264;
-    var _S265 : f32 = (bitcast<f32>((_S260.y)));
-    var _S266 : f32 = (bitcast<f32>((_S260.z)));
-    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S260.x)));
-    material_2.absorption_0[i32(1)] = _S265;
-    material_2.absorption_0[i32(2)] = _S266;
-    material_2.roughness_0 = (bitcast<f32>((_S257.w)));
-    material_2.metallic_0 = (bitcast<f32>((_S258.w)));
-    material_2.transmission_0 = (bitcast<f32>((_S259.x)));
-    material_2.ior_0 = (bitcast<f32>((_S259.y)));
-    material_2.specular_0 = (bitcast<f32>((_S259.z)));
-    material_2.anisotropy_0 = (bitcast<f32>((_S259.w)));
-    material_2.scattering_0 = (bitcast<f32>((_S260.w)));
+    var _S262 : f32 = (bitcast<f32>((_S258.y)));
+    var _S263 : f32 = (bitcast<f32>((_S258.z)));
+    material_2.base_color_0[i32(0)] = (bitcast<f32>((_S258.x)));
+    material_2.base_color_0[i32(1)] = _S262;
+    material_2.base_color_0[i32(2)] = _S263;
+    var _S264 : f32 = (bitcast<f32>((_S259.y)));
+    var _S265 : f32 = (bitcast<f32>((_S259.z)));
+    material_2.emission_0[i32(0)] = (bitcast<f32>((_S259.x)));
+    material_2.emission_0[i32(1)] = _S264;
+    material_2.emission_0[i32(2)] = _S265;
+    var _S266 : f32 = (bitcast<f32>((_S261.y)));
+    var _S267 : f32 = (bitcast<f32>((_S261.z)));
+    material_2.absorption_0[i32(0)] = (bitcast<f32>((_S261.x)));
+    material_2.absorption_0[i32(1)] = _S266;
+    material_2.absorption_0[i32(2)] = _S267;
+    material_2.roughness_0 = (bitcast<f32>((_S258.w)));
+    material_2.metallic_0 = (bitcast<f32>((_S259.w)));
+    material_2.transmission_0 = (bitcast<f32>((_S260.x)));
+    material_2.ior_0 = (bitcast<f32>((_S260.y)));
+    material_2.specular_0 = (bitcast<f32>((_S260.z)));
+    material_2.anisotropy_0 = (bitcast<f32>((_S260.w)));
+    material_2.scattering_0 = (bitcast<f32>((_S261.w)));
     return material_2;
 }
 
 fn is_without_surface_0( material_3 : PackedMaterial_0) -> bool
 {
-    var _S267 : bool;
+    var _S268 : bool;
     if((material_3.transmission_0) >= 1.0f)
     {
-        _S267 = (material_3.ior_0) == 1.0f;
+        _S268 = (material_3.ior_0) == 1.0f;
     }
     else
     {
-        _S267 = false;
+        _S268 = false;
     }
-    if(_S267)
+    if(_S268)
     {
-        _S267 = (material_3.metallic_0) <= 0.0f;
+        _S268 = (material_3.metallic_0) <= 0.0f;
     }
     else
     {
-        _S267 = false;
+        _S268 = false;
     }
-    return _S267;
+    return _S268;
 }
 
 fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
@@ -3645,7 +3649,7 @@ fn emitted_0( material_4 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_4.emission_0) * vec3<f32>(params_0.emitter_intensity_0);
 }
 
-fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
+fn sample_emitter_0( receiver_14 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
     (*sample_5) = no_light_0();
     if((params_0.light_node_count_0) == u32(0))
@@ -3654,54 +3658,54 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_7.x, false);
     Descent_at_1(&(descent_3), u32(0));
-    var _S268 : bool;
+    var _S269 : bool;
     if(!IS_SINGLE_0)
     {
-        _S268 = aim_2.is_met_0;
+        _S269 = aim_2.is_met_0;
     }
     else
     {
-        _S268 = false;
+        _S269 = false;
     }
-    if(_S268)
+    if(_S269)
     {
-        var _S269 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
-        if((_S269.light_leaf_0) == u32(4294967295))
+        var _S270 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_0.instance_0);
+        if((_S270.light_leaf_0) == u32(4294967295))
         {
-            _S268 = true;
+            _S269 = true;
         }
         else
         {
-            var _S270 : bool = climb_0(receiver_13, _S269.light_leaf_0, &(descent_3));
-            _S268 = !_S270;
+            var _S271 : bool = climb_0(receiver_14, _S270.light_leaf_0, &(descent_3));
+            _S269 = !_S271;
         }
-        if(_S268)
+        if(_S269)
         {
             return false;
         }
-        Descent_at_1(&(descent_3), _S269.light_leaf_0);
+        Descent_at_1(&(descent_3), _S270.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S271 : bool = descend_1(receiver_13, by_chance_0(), &(descent_3));
-            _S268 = !_S271;
+            var _S272 : bool = descend_1(receiver_14, by_chance_0(), &(descent_3));
+            _S269 = !_S272;
         }
         else
         {
-            _S268 = false;
+            _S269 = false;
         }
-        if(_S268)
+        if(_S269)
         {
             return false;
         }
     }
     var chosen_instance_0 : u32 = descent_3.index_0;
-    var local_5 : Receiver_0 = in_grid_3(descent_3.index_0, receiver_13);
+    var local_5 : Receiver_0 = in_grid_3(descent_3.index_0, receiver_14);
     Descent_at_0(&(descent_3), top_light_node_0(descent_3.node_0).root_0);
-    var _S272 : bool = descend_0(local_5, aim_2, &(descent_3));
-    if(!_S272)
+    var _S273 : bool = descend_0(local_5, aim_2, &(descent_3));
+    if(!_S273)
     {
         return false;
     }
@@ -3709,62 +3713,62 @@ fn sample_emitter_0( receiver_13 : Receiver_0,  u_7 : vec4<f32>,  aim_2 : Aim_0,
     var odds_2 : vec2<f32>;
     if(HAS_CUTS_0)
     {
-        _S268 = aim_2.is_met_0;
+        _S269 = aim_2.is_met_0;
     }
     else
     {
-        _S268 = false;
+        _S269 = false;
     }
-    if(_S268)
+    if(_S269)
     {
-        _S268 = is_cut_0(aim_2.hit_0);
+        _S269 = is_cut_0(aim_2.hit_0);
     }
     else
     {
-        _S268 = false;
+        _S269 = false;
     }
-    if(_S268)
+    if(_S269)
     {
-        _S268 = true;
+        _S269 = true;
     }
     else
     {
-        var _S273 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-        _S268 = !_S273;
+        var _S274 : bool = choose_side_0(local_5.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+        _S269 = !_S274;
     }
-    if(_S268)
+    if(_S269)
     {
         return false;
     }
     var power_2 : f32 = light_power_at_0(descent_3.node_0, side_3);
-    var _S274 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S275 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S275 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S274.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
-        (*sample_5).pdf_1 = _S275;
-        return _S275 > 0.0f;
+        var _S276 : f32 = density_0(odds_2, aim_2.luminance_0, power_2, Transform_direction_0(_S275.grid_from_world_0, aim_2.direction_0) * vec3<f32>(aim_2.hit_0.t_0), side_3);
+        (*sample_5).pdf_1 = _S276;
+        return _S276 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_7.y * power_2);
-    var _S276 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_10));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S276, side_3, u_7.z, u_7.w);
+    var _S277 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_10));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S277, side_3, u_7.z, u_7.w);
     var pdf_6 : f32 = density_0(odds_2, emitter_1.luminance_4, power_2, on_face_0 - local_5.point_0, side_3);
     if(pdf_6 < 0.0f)
     {
         return false;
     }
-    var direction_12 : vec3<f32> = Transform_point_0(_S274.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S274.grid_from_world_0.translation_0), _S276, side_3, on_face_0)) - receiver_13.point_0;
-    var cos_theta_8 : f32 = with_slack_0(receiver_13, divide_0(dot_product_0(receiver_13.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
-    (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_13.point_0, 0.0f, direction_12, 1.0f), cos_theta_8, emitted_0(material_of_index_0(emitter_1.material_0)), pdf_6);
-    return cos_theta_8 > 0.0f;
+    var direction_12 : vec3<f32> = Transform_point_0(_S275.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S275.grid_from_world_0.translation_0), _S277, side_3, on_face_0)) - receiver_14.point_0;
+    var cos_theta_6 : f32 = with_slack_0(receiver_14, divide_0(dot_product_0(receiver_14.normal_0, direction_12), square_root_0(length_squared_0(direction_12))));
+    (*sample_5) = LightSample_x24init_0(Ray_x24init_0(receiver_14.point_0, 0.0f, direction_12, 1.0f), cos_theta_6, emitted_0(material_of_index_0(emitter_1.material_0)), pdf_6);
+    return cos_theta_6 > 0.0f;
 }
 
-fn EmitterTree_sample_0( receiver_14 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
+fn EmitterTree_sample_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  aim_3 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
 {
-    var _S277 : bool = sample_emitter_0(receiver_14, u_8, aim_3, &((*sample_6)));
-    return _S277;
+    var _S278 : bool = sample_emitter_0(receiver_15, u_8, aim_3, &((*sample_6)));
+    return _S278;
 }
 
-fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
+fn Lights_sample_0( receiver_16 : Receiver_0,  selection_0 : Selection_0,  u_9 : vec4<f32>,  aim_4 : Aim_0,  sample_7 : ptr<function, LightSample_0>) -> bool
 {
     var is_found_1 : bool;
     if(has_sun_0())
@@ -3785,9 +3789,9 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
     }
     if(is_found_1)
     {
-        var _S278 : bool = SunDisc_sample_0(receiver_15, u_9, &((*sample_7)));
+        var _S279 : bool = SunDisc_sample_0(receiver_16, u_9, &((*sample_7)));
         (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sun_0;
-        is_found_1 = _S278;
+        is_found_1 = _S279;
     }
     else
     {
@@ -3809,15 +3813,15 @@ fn Lights_sample_0( receiver_15 : Receiver_0,  selection_0 : Selection_0,  u_9 :
         }
         if(is_found_1)
         {
-            var _S279 : bool = Sky_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
+            var _S280 : bool = Sky_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - selection_0.sun_0, selection_0.sky_1), 0.99999994039535522f), u_9.yzw), &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.sky_1;
-            is_found_1 = _S279;
+            is_found_1 = _S280;
         }
         else
         {
-            var _S280 : bool = EmitterTree_sample_0(receiver_15, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
+            var _S281 : bool = EmitterTree_sample_0(receiver_16, vec4<f32>(min(divide_0(u_9.x - (selection_0.sun_0 + selection_0.sky_1), selection_0.emitters_0), 0.99999994039535522f), u_9.yzw), aim_4, &((*sample_7)));
             (*sample_7).pdf_1 = (*sample_7).pdf_1 * selection_0.emitters_0;
-            is_found_1 = _S280;
+            is_found_1 = _S281;
         }
     }
     return is_found_1;
@@ -3830,30 +3834,30 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_pdf_0( direction_14 : vec3<f32>) -> f32
 {
-    var _S281 : f32;
+    var _S282 : f32;
     if(SunDisc_contains_0(direction_14))
     {
-        _S281 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S281 = 0.0f;
-    }
-    return _S281;
-}
-
-fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
-{
-    var _S282 : f32;
-    if(has_sun_0())
-    {
-        _S282 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+        _S282 = params_0.sun_pdf_0;
     }
     else
     {
         _S282 = 0.0f;
     }
     return _S282;
+}
+
+fn Lights_sun_pdf_0( selection_1 : Selection_0,  direction_15 : vec3<f32>) -> f32
+{
+    var _S283 : f32;
+    if(has_sun_0())
+    {
+        _S283 = SunDisc_pdf_0(direction_15) * selection_1.sun_0;
+    }
+    else
+    {
+        _S283 = 0.0f;
+    }
+    return _S283;
 }
 
 fn Hit_is_miss_0( this_31 : Hit_0) -> bool
@@ -3863,8 +3867,8 @@ fn Hit_is_miss_0( this_31 : Hit_0) -> bool
 
 fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 {
-    var _S283 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
-    return material_of_index_0(material_at_0(_S283, hit_8.voxel_0 - cell_of_0(_S283.origin_0)));
+    var _S284 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_8.instance_0).grid_0);
+    return material_of_index_0(material_at_0(_S284, hit_8.voxel_0 - cell_of_0(_S284.origin_0)));
 }
 
 @compute
@@ -3872,21 +3876,21 @@ fn material_of_0( hit_8 : Hit_0) -> PackedMaterial_0
 fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_invocation_index) thread_10 : u32)
 {
     prove_0(thread_10);
-    var _S284 : u32 = id_9.x;
-    if(_S284 >= (dispatch_0.count_0))
+    var _S285 : u32 = id_9.x;
+    if(_S285 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S284);
-    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S284);
+    var reader_9 : Reader_0 = Reader_x24init_0(u32(24) * _S285);
+    var writer_9 : Writer_0 = Writer_x24init_0(u32(12) * _S285);
     var point_8 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var _S285 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var receiver_16 : Receiver_0 = Receiver_x24init_0(point_8, _S285);
+    var _S286 : vec3<f32> = Reader_vector_0(&(reader_9));
+    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_8, _S286);
     var u_10 : vec3<f32> = Reader_vector_0(&(reader_9));
-    var selection_2 : Selection_0 = Lights_selection_0(receiver_16);
-    var _S286 : f32 = Reader_number_0(&(reader_9));
+    var selection_2 : Selection_0 = Lights_selection_0(receiver_17);
+    var _S287 : f32 = Reader_number_0(&(reader_9));
     var sample_8 : LightSample_0;
-    var is_found_2 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(u_10, _S286), by_chance_0(), &(sample_8));
+    var is_found_2 : bool = Lights_sample_0(receiver_17, selection_2, vec4<f32>(u_10, _S287), by_chance_0(), &(sample_8));
     if(!is_found_2)
     {
         sample_8 = no_light_0();
@@ -3896,32 +3900,32 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     Writer_word_0(&(writer_9), u32(is_found_2));
     Writer_vector_0(&(writer_9), sample_8.ray_6.direction_1);
     Writer_number_0(&(writer_9), sample_8.ray_6.t_max_0);
-    Writer_number_0(&(writer_9), sample_8.cos_theta_4);
+    Writer_number_0(&(writer_9), sample_8.cos_theta_2);
     Writer_vector_0(&(writer_9), sample_8.radiance_3);
     Writer_number_0(&(writer_9), sample_8.pdf_1);
     Writer_number_0(&(writer_9), Lights_sun_pdf_0(selection_2, sample_8.ray_6.direction_1));
     var met_0 : LightSample_0;
     var aim_5 : Aim_0 = Aim_x24init_0(true, ray_8.direction_1, hit_9, 0.0f);
-    var _S287 : bool = !Hit_is_miss_0(hit_9);
-    var _S288 : f32;
-    if(_S287)
+    var _S288 : bool = !Hit_is_miss_0(hit_9);
+    var _S289 : f32;
+    if(_S288)
     {
         var material_5 : PackedMaterial_0 = material_of_0(hit_9);
         if(is_without_surface_0(material_5))
         {
-            _S288 = 0.0f;
+            _S289 = 0.0f;
         }
         else
         {
-            _S288 = luminance_1(vector_of_0(material_5.emission_0));
+            _S289 = luminance_1(vector_of_0(material_5.emission_0));
         }
-        aim_5.luminance_0 = _S288;
+        aim_5.luminance_0 = _S289;
     }
     var is_met_3 : bool;
-    if(_S287)
+    if(_S288)
     {
-        var _S289 : bool = Lights_sample_0(receiver_16, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
-        is_met_3 = _S289;
+        var _S290 : bool = Lights_sample_0(receiver_17, selection_2, vec4<f32>(0.0f), aim_5, &(met_0));
+        is_met_3 = _S290;
     }
     else
     {
@@ -3929,47 +3933,47 @@ fn check_light(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_i
     }
     if(is_met_3)
     {
-        _S288 = met_0.pdf_1;
+        _S289 = met_0.pdf_1;
     }
     else
     {
-        _S288 = 0.0f;
+        _S289 = 0.0f;
     }
-    Writer_number_0(&(writer_9), _S288);
+    Writer_number_0(&(writer_9), _S289);
     return;
 }
 
 fn SunDisc_le_0( direction_16 : vec3<f32>) -> vec3<f32>
 {
-    var _S290 : vec3<f32>;
+    var _S291 : vec3<f32>;
     if(SunDisc_contains_0(direction_16))
     {
-        _S290 = params_0.sun_radiance_0;
+        _S291 = params_0.sun_radiance_0;
     }
     else
     {
-        _S290 = vec3<f32>(0.0f);
+        _S291 = vec3<f32>(0.0f);
     }
-    return _S290;
+    return _S291;
 }
 
 fn Environment_to_map_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S291 : f32 = d_2.x;
-    var _S292 : f32 = d_2.y;
-    return vec3<f32>(_S291 * cos_3 - _S292 * sin_2, _S291 * sin_2 + _S292 * cos_3, d_2.z);
+    var _S292 : f32 = d_2.x;
+    var _S293 : f32 = d_2.y;
+    return vec3<f32>(_S292 * cos_3 - _S293 * sin_2, _S292 * sin_2 + _S293 * cos_3, d_2.z);
 }
 
 fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 {
-    var _S293 : f32 = min(x_15, y_12);
-    var _S294 : f32 = max(x_15, y_12);
+    var _S294 : f32 = min(x_15, y_12);
+    var _S295 : f32 = max(x_15, y_12);
     var ratio_0 : f32;
-    if(_S294 > 0.0f)
+    if(_S295 > 0.0f)
     {
-        ratio_0 = divide_0(_S293, _S294);
+        ratio_0 = divide_0(_S294, _S295);
     }
     else
     {
@@ -3991,10 +3995,10 @@ fn quarter_turns_0( x_15 : f32,  y_12 : f32) -> f32
 fn square_of_0( direction_17 : vec3<f32>) -> vec2<f32>
 {
     var size_0 : vec3<f32> = abs(direction_17);
-    var _S295 : f32 = size_0.x;
-    var _S296 : f32 = size_0.y;
-    var radius_3 : f32 = square_root_0(divide_0(_S295 * _S295 + _S296 * _S296, 1.0f + size_0.z));
-    var v_7 : f32 = quarter_turns_0(_S295, _S296) * radius_3;
+    var _S296 : f32 = size_0.x;
+    var _S297 : f32 = size_0.y;
+    var radius_3 : f32 = square_root_0(divide_0(_S296 * _S296 + _S297 * _S297, 1.0f + size_0.z));
+    var v_7 : f32 = quarter_turns_0(_S296, _S297) * radius_3;
     var u_11 : f32 = radius_3 - v_7;
     var is_below_1 : bool = (direction_17.z) < 0.0f;
     var u_12 : f32;
@@ -4044,10 +4048,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S297 : Gradient_0;
-    _S297.nadir_0 = nadir_1;
-    _S297.zenith_0 = zenith_1;
-    return _S297;
+    var _S298 : Gradient_0;
+    _S298.nadir_0 = nadir_1;
+    _S298.zenith_0 = zenith_1;
+    return _S298;
 }
 
 fn Gradient_radiance_0( this_32 : Gradient_0,  direction_20 : vec3<f32>) -> vec3<f32>
@@ -4078,24 +4082,10 @@ fn Environment_pdf_0( direction_23 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_24 : vec3<f32>) -> f32
 {
-    var _S298 : f32;
+    var _S299 : f32;
     if(SKY_0 == u32(1))
     {
-        _S298 = Environment_pdf_0(direction_24);
-    }
-    else
-    {
-        _S298 = 0.0f;
-    }
-    return _S298;
-}
-
-fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
-{
-    var _S299 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S299 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+        _S299 = Environment_pdf_0(direction_24);
     }
     else
     {
@@ -4104,75 +4094,89 @@ fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f3
     return _S299;
 }
 
+fn Lights_sky_pdf_0( selection_3 : Selection_0,  direction_25 : vec3<f32>) -> f32
+{
+    var _S300 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S300 = Sky_pdf_0(direction_25) * selection_3.sky_1;
+    }
+    else
+    {
+        _S300 = 0.0f;
+    }
+    return _S300;
+}
+
 @compute
 @workgroup_size(64, 1, 1)
 fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builtin(local_invocation_index) thread_11 : u32)
 {
     prove_0(thread_11);
-    var _S300 : u32 = id_10.x;
-    if(_S300 >= (dispatch_0.count_0))
+    var _S301 : u32 = id_10.x;
+    if(_S301 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S300);
-    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S300);
+    var reader_10 : Reader_0 = Reader_x24init_0(u32(13) * _S301);
+    var writer_10 : Writer_0 = Writer_x24init_0(u32(22) * _S301);
     var point_9 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S301 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var receiver_17 : Receiver_0 = Receiver_x24init_0(point_9, _S301);
+    var _S302 : vec3<f32> = Reader_vector_0(&(reader_10));
+    var receiver_18 : Receiver_0 = Receiver_x24init_0(point_9, _S302);
     var u_13 : vec3<f32> = Reader_vector_0(&(reader_10));
-    var _S302 : f32 = Reader_number_0(&(reader_10));
-    var place_3 : vec4<f32> = vec4<f32>(u_13, _S302);
+    var _S303 : f32 = Reader_number_0(&(reader_10));
+    var place_3 : vec4<f32> = vec4<f32>(u_13, _S303);
     var sample_9 : LightSample_0;
-    var is_found_3 : bool = SunDisc_sample_0(receiver_17, place_3, &(sample_9));
+    var is_found_3 : bool = SunDisc_sample_0(receiver_18, place_3, &(sample_9));
     var of_sky_0 : LightSample_0;
-    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_17, place_3, &(of_sky_0));
+    var is_found_in_sky_0 : bool = Sky_sample_0(receiver_18, place_3, &(of_sky_0));
     var direction_26 : vec3<f32> = Reader_vector_0(&(reader_10));
     Writer_word_0(&(writer_10), u32(is_found_3));
-    var _S303 : vec3<f32>;
+    var _S304 : vec3<f32>;
     if(is_found_3)
     {
-        _S303 = sample_9.ray_6.direction_1;
+        _S304 = sample_9.ray_6.direction_1;
     }
     else
     {
-        _S303 = vec3<f32>(0.0f);
+        _S304 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S303);
+    Writer_vector_0(&(writer_10), _S304);
     Writer_vector_0(&(writer_10), SunDisc_le_0(direction_26));
     Writer_number_0(&(writer_10), SunDisc_pdf_0(direction_26));
     Writer_vector_0(&(writer_10), Sky_le_0(direction_26));
     Writer_number_0(&(writer_10), Sky_pdf_0(direction_26));
-    Writer_number_0(&(writer_10), Lights_sun_pdf_0(Lights_selection_0(receiver_17), direction_26));
-    Writer_number_0(&(writer_10), Lights_sky_pdf_0(Lights_selection_0(receiver_17), direction_26));
+    Writer_number_0(&(writer_10), Lights_sun_pdf_0(Lights_selection_0(receiver_18), direction_26));
+    Writer_number_0(&(writer_10), Lights_sky_pdf_0(Lights_selection_0(receiver_18), direction_26));
     Writer_word_0(&(writer_10), u32(is_found_in_sky_0));
     if(is_found_in_sky_0)
     {
-        _S303 = of_sky_0.ray_6.direction_1;
+        _S304 = of_sky_0.ray_6.direction_1;
     }
     else
     {
-        _S303 = vec3<f32>(0.0f);
+        _S304 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S303);
+    Writer_vector_0(&(writer_10), _S304);
     if(is_found_in_sky_0)
     {
-        _S303 = of_sky_0.radiance_3;
+        _S304 = of_sky_0.radiance_3;
     }
     else
     {
-        _S303 = vec3<f32>(0.0f);
+        _S304 = vec3<f32>(0.0f);
     }
-    Writer_vector_0(&(writer_10), _S303);
-    var _S304 : f32;
+    Writer_vector_0(&(writer_10), _S304);
+    var _S305 : f32;
     if(is_found_in_sky_0)
     {
-        _S304 = of_sky_0.pdf_1;
+        _S305 = of_sky_0.pdf_1;
     }
     else
     {
-        _S304 = 0.0f;
+        _S305 = 0.0f;
     }
-    Writer_number_0(&(writer_10), _S304);
+    Writer_number_0(&(writer_10), _S305);
     return;
 }
 
@@ -4181,21 +4185,21 @@ fn check_distant_light(@builtin(global_invocation_id) id_10 : vec3<u32>, @builti
 fn check_equal_area(@builtin(global_invocation_id) id_11 : vec3<u32>, @builtin(local_invocation_index) thread_12 : u32)
 {
     prove_0(thread_12);
-    var _S305 : u32 = id_11.x;
-    if(_S305 >= (dispatch_0.count_0))
+    var _S306 : u32 = id_11.x;
+    if(_S306 >= (dispatch_0.count_0))
     {
         return;
     }
-    var _S306 : u32 = u32(5) * _S305;
-    var reader_11 : Reader_0 = Reader_x24init_0(_S306);
-    var writer_11 : Writer_0 = Writer_x24init_0(_S306);
-    var _S307 : vec3<f32> = Reader_vector_0(&(reader_11));
-    var square_1 : vec2<f32> = square_of_0(_S307);
+    var _S307 : u32 = u32(5) * _S306;
+    var reader_11 : Reader_0 = Reader_x24init_0(_S307);
+    var writer_11 : Writer_0 = Writer_x24init_0(_S307);
+    var _S308 : vec3<f32> = Reader_vector_0(&(reader_11));
+    var square_1 : vec2<f32> = square_of_0(_S308);
     Writer_number_0(&(writer_11), square_1.x);
     Writer_number_0(&(writer_11), square_1.y);
     var x_16 : f32 = Reader_number_0(&(reader_11));
-    var _S308 : f32 = Reader_number_0(&(reader_11));
-    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S308)));
+    var _S309 : f32 = Reader_number_0(&(reader_11));
+    Writer_vector_0(&(writer_11), direction_of_0(vec2<f32>(x_16, _S309)));
     return;
 }
 
@@ -4206,9 +4210,9 @@ struct Microfacets_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S309 : Microfacets_0;
-    _S309.alpha_0 = alpha_1;
-    return _S309;
+    var _S310 : Microfacets_0;
+    _S310.alpha_0 = alpha_1;
+    return _S310;
 }
 
 struct MaterialBsdf_0
@@ -4222,13 +4226,13 @@ struct MaterialBsdf_0
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S310 : MaterialBsdf_0;
-    _S310.kind_0 = kind_1;
-    _S310.color_1 = color_2;
-    _S310.specular_1 = specular_2;
-    _S310.eta_0 = eta_1;
-    _S310.facets_0 = facets_1;
-    return _S310;
+    var _S311 : MaterialBsdf_0;
+    _S311.kind_0 = kind_1;
+    _S311.color_1 = color_2;
+    _S311.specular_1 = specular_2;
+    _S311.eta_0 = eta_1;
+    _S311.facets_0 = facets_1;
+    return _S311;
 }
 
 fn facets_of_0( roughness_1 : f32) -> Microfacets_0
@@ -4243,16 +4247,16 @@ fn chooses_0( share_7 : f32,  choice_2 : ptr<function, f32>) -> bool
         return false;
     }
     var is_chosen_0 : bool = (*choice_2) < share_7;
-    var _S311 : f32;
+    var _S312 : f32;
     if(is_chosen_0)
     {
-        _S311 = divide_0((*choice_2), share_7);
+        _S312 = divide_0((*choice_2), share_7);
     }
     else
     {
-        _S311 = divide_0((*choice_2) - share_7, 1.0f - share_7);
+        _S312 = divide_0((*choice_2) - share_7, 1.0f - share_7);
     }
-    (*choice_2) = _S311;
+    (*choice_2) = _S312;
     return is_chosen_0;
 }
 
@@ -4260,13 +4264,13 @@ fn bsdf_of_0( material_6 : PackedMaterial_0,  ior_1 : f32,  choice_3 : ptr<funct
 {
     var color_3 : vec3<f32> = vector_of_0(material_6.base_color_0);
     var facets_2 : Microfacets_0 = facets_of_0(material_6.roughness_0);
-    var _S312 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
-    if(_S312)
+    var _S313 : bool = chooses_0(material_6.metallic_0, &((*choice_3)));
+    if(_S313)
     {
         return MaterialBsdf_x24init_0(u32(1), color_3, 0.0f, 1.0f, facets_2);
     }
-    var _S313 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
-    if(_S313)
+    var _S314 : bool = chooses_0(material_6.transmission_0, &((*choice_3)));
+    if(_S314)
     {
         return MaterialBsdf_x24init_0(u32(3), color_3, 0.0f, divide_0(material_6.ior_0, ior_1), facets_2);
     }
@@ -4285,10 +4289,10 @@ struct Conductor_0
 
 fn Conductor_x24init_0( f0_1 : vec3<f32>,  facets_4 : Microfacets_0) -> Conductor_0
 {
-    var _S314 : Conductor_0;
-    _S314.f0_0 = f0_1;
-    _S314.facets_3 = facets_4;
-    return _S314;
+    var _S315 : Conductor_0;
+    _S315.f0_0 = f0_1;
+    _S315.facets_3 = facets_4;
+    return _S315;
 }
 
 fn above_1( wo_0 : vec3<f32>) -> vec3<f32>
@@ -4318,20 +4322,20 @@ struct BsdfSample_0
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_8 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S315 : BsdfSample_0;
-    _S315.wi_0 = wi_1;
-    _S315.weight_3 = weight_4;
-    _S315.pdf_7 = pdf_8;
-    _S315.is_delta_0 = is_delta_1;
-    return _S315;
+    var _S316 : BsdfSample_0;
+    _S316.wi_0 = wi_1;
+    _S316.weight_3 = weight_4;
+    _S316.pdf_7 = pdf_8;
+    _S316.is_delta_0 = is_delta_1;
+    return _S316;
 }
 
 fn Microfacets_sample_visible_0( this_34 : Microfacets_0,  wo_1 : vec3<f32>,  u_14 : f32,  v_9 : f32) -> vec3<f32>
 {
     var stretched_0 : vec3<f32> = normalize_vector_0(vec3<f32>(this_34.alpha_0 * wo_1.x, this_34.alpha_0 * wo_1.y, wo_1.z));
     var sin_cos_4 : vec2<f32> = sincos_turns_0(u_14);
-    var _S316 : f32 = stretched_0.z;
-    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S316) - _S316;
+    var _S317 : f32 = stretched_0.z;
+    var z_3 : f32 = (1.0f - v_9) * (1.0f + _S317) - _S317;
     var radius_4 : f32 = square_root_0(max(1.0f - z_3 * z_3, 0.0f));
     var normal_5 : vec3<f32> = vec3<f32>(radius_4 * sin_cos_4.y, radius_4 * sin_cos_4.x, z_3) + stretched_0;
     return normalize_vector_0(vec3<f32>(this_34.alpha_0 * normal_5.x, this_34.alpha_0 * normal_5.y, max(normal_5.z, 1.00000001168609742e-07f)));
@@ -4349,8 +4353,8 @@ fn no_bsdf_sample_0() -> BsdfSample_0
 
 fn Microfacets_masking_0( this_35 : Microfacets_0,  cos_4 : f32) -> f32
 {
-    var _S317 : f32 = this_35.alpha_0;
-    var alpha_squared_0 : f32 = _S317 * _S317;
+    var _S318 : f32 = this_35.alpha_0;
+    var alpha_squared_0 : f32 = _S318 * _S318;
     return square_root_0(alpha_squared_0 + (1.0f - alpha_squared_0) * (cos_4 * cos_4));
 }
 
@@ -4362,19 +4366,19 @@ fn Microfacets_shadowing_0( this_36 : Microfacets_0,  cos_o_0 : f32,  cos_i_1 : 
 
 fn Microfacets_distribution_0( this_37 : Microfacets_0,  wm_1 : vec3<f32>) -> f32
 {
-    var _S318 : f32 = this_37.alpha_0;
-    var alpha_squared_1 : f32 = _S318 * _S318;
-    var _S319 : f32 = wm_1.z;
-    var _S320 : f32 = wm_1.x;
-    var _S321 : f32 = wm_1.y;
-    var base_0 : f32 = alpha_squared_1 * (_S319 * _S319) + (_S320 * _S320 + _S321 * _S321);
+    var _S319 : f32 = this_37.alpha_0;
+    var alpha_squared_1 : f32 = _S319 * _S319;
+    var _S320 : f32 = wm_1.z;
+    var _S321 : f32 = wm_1.x;
+    var _S322 : f32 = wm_1.y;
+    var base_0 : f32 = alpha_squared_1 * (_S320 * _S320) + (_S321 * _S321 + _S322 * _S322);
     return divide_0(alpha_squared_1, 3.14159274101257324f * (base_0 * base_0));
 }
 
 fn Microfacets_visible_pdf_0( this_38 : Microfacets_0,  wo_3 : vec3<f32>,  wm_2 : vec3<f32>) -> f32
 {
-    var _S322 : f32 = wo_3.z;
-    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_38, wm_2), _S322 + Microfacets_masking_0(this_38, _S322));
+    var _S323 : f32 = wo_3.z;
+    return divide_0(2.0f * max(dot_product_0(wo_3, wm_2), 0.0f) * Microfacets_distribution_0(this_38, wm_2), _S323 + Microfacets_masking_0(this_38, _S323));
 }
 
 fn Conductor_sample_0( this_39 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3<f32>,  sample_10 : ptr<function, BsdfSample_0>) -> bool
@@ -4382,20 +4386,20 @@ fn Conductor_sample_0( this_39 : Conductor_0,  given_0 : vec3<f32>,  u_15 : vec3
     var wo_4 : vec3<f32> = above_1(given_0);
     if(Microfacets_is_smooth_0(this_39.facets_3))
     {
-        var _S323 : f32 = wo_4.z;
-        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S323), fresnel_schlick_0(_S323, this_39.f0_0), 1.0f, true);
+        var _S324 : f32 = wo_4.z;
+        (*sample_10) = BsdfSample_x24init_0(vec3<f32>(- wo_4.x, - wo_4.y, _S324), fresnel_schlick_0(_S324, this_39.f0_0), 1.0f, true);
         return true;
     }
     var wm_3 : vec3<f32> = Microfacets_sample_visible_0(this_39.facets_3, wo_4, u_15.x, u_15.y);
     var wi_2 : vec3<f32> = reflect_by_0(wo_4, wm_3);
-    var _S324 : f32 = wi_2.z;
-    if(_S324 <= 0.0f)
+    var _S325 : f32 = wi_2.z;
+    if(_S325 <= 0.0f)
     {
         (*sample_10) = no_bsdf_sample_0();
         return false;
     }
     var cos_5 : f32 = dot_product_0(wo_4, wm_3);
-    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_39.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_39.facets_3, wo_4.z, _S324)), divide_0(Microfacets_visible_pdf_0(this_39.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
+    (*sample_10) = BsdfSample_x24init_0(wi_2, fresnel_schlick_0(cos_5, this_39.f0_0) * vec3<f32>(Microfacets_shadowing_0(this_39.facets_3, wo_4.z, _S325)), divide_0(Microfacets_visible_pdf_0(this_39.facets_3, wo_4, wm_3), 4.0f * cos_5), false);
     return true;
 }
 
@@ -4409,27 +4413,27 @@ struct Plastic_0
 
 fn Plastic_x24init_0( reflectance_1 : vec3<f32>,  specular_4 : f32,  eta_3 : f32,  facets_6 : Microfacets_0) -> Plastic_0
 {
-    var _S325 : Plastic_0;
-    _S325.reflectance_0 = reflectance_1;
-    _S325.specular_3 = specular_4;
-    _S325.eta_2 = eta_3;
-    _S325.facets_5 = facets_6;
-    return _S325;
+    var _S326 : Plastic_0;
+    _S326.reflectance_0 = reflectance_1;
+    _S326.specular_3 = specular_4;
+    _S326.eta_2 = eta_3;
+    _S326.facets_5 = facets_6;
+    return _S326;
 }
 
 fn refracted_cosine_0( cos_i_2 : f32,  eta_4 : f32) -> f32
 {
     var squared_1 : f32 = 1.0f - divide_0(1.0f - cos_i_2 * cos_i_2, eta_4 * eta_4);
-    var _S326 : f32;
+    var _S327 : f32;
     if(squared_1 > 0.0f)
     {
-        _S326 = square_root_0(squared_1);
+        _S327 = square_root_0(squared_1);
     }
     else
     {
-        _S326 = -1.0f;
+        _S327 = -1.0f;
     }
-    return _S326;
+    return _S327;
 }
 
 fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
@@ -4439,10 +4443,10 @@ fn fresnel_dielectric_0( cos_i_3 : f32,  eta_5 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S327 : f32 = eta_5 * cos_i_3;
-    var parallel_0 : f32 = divide_0(_S327 - cos_t_0, _S327 + cos_t_0);
-    var _S328 : f32 = eta_5 * cos_t_0;
-    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S328, cos_i_3 + _S328);
+    var _S328 : f32 = eta_5 * cos_i_3;
+    var parallel_0 : f32 = divide_0(_S328 - cos_t_0, _S328 + cos_t_0);
+    var _S329 : f32 = eta_5 * cos_t_0;
+    var perpendicular_0 : f32 = divide_0(cos_i_3 - _S329, cos_i_3 + _S329);
     return (parallel_0 * parallel_0 + perpendicular_0 * perpendicular_0) * 0.5f;
 }
 
@@ -4454,16 +4458,16 @@ fn Plastic_coat_0( this_40 : Plastic_0,  cos_6 : f32) -> f32
 fn Plastic_coat_probability_0( this_41 : Plastic_0,  coat_0 : f32) -> f32
 {
     var below_1 : f32 = (1.0f - coat_0) * max_element_0(this_41.reflectance_0);
-    var _S329 : f32;
+    var _S330 : f32;
     if(coat_0 <= 0.0f)
     {
-        _S329 = 0.0f;
+        _S330 = 0.0f;
     }
     else
     {
-        _S329 = divide_0(coat_0, coat_0 + below_1);
+        _S330 = divide_0(coat_0, coat_0 + below_1);
     }
-    return _S329;
+    return _S330;
 }
 
 struct BsdfEval_0
@@ -4474,10 +4478,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S330 : BsdfEval_0;
-    _S330.weight_5 = weight_6;
-    _S330.pdf_9 = pdf_10;
-    return _S330;
+    var _S331 : BsdfEval_0;
+    _S331.weight_5 = weight_6;
+    _S331.pdf_9 = pdf_10;
+    return _S331;
 }
 
 fn no_bsdf_eval_0() -> BsdfEval_0
@@ -4487,10 +4491,10 @@ fn no_bsdf_eval_0() -> BsdfEval_0
 
 fn Plastic_eval_lobes_0( this_42 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f32>,  coat_1 : f32,  coat_probability_0 : f32) -> BsdfEval_0
 {
-    var _S331 : f32 = wi_3.z;
-    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S331);
+    var _S332 : f32 = wi_3.z;
+    var diffuse_pdf_0 : f32 = cosine_hemisphere_pdf_0(_S332);
     var pdf_11 : f32 = (1.0f - coat_probability_0) * diffuse_pdf_0;
-    var scattered_0 : vec3<f32> = this_42.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_42, _S331)) * diffuse_pdf_0));
+    var scattered_0 : vec3<f32> = this_42.reflectance_0 * vec3<f32>(((1.0f - coat_1) * (1.0f - Plastic_coat_0(this_42, _S332)) * diffuse_pdf_0));
     var pdf_12 : f32;
     var scattered_1 : vec3<f32>;
     if(!Microfacets_is_smooth_0(this_42.facets_5))
@@ -4498,7 +4502,7 @@ fn Plastic_eval_lobes_0( this_42 : Plastic_0,  wo_5 : vec3<f32>,  wi_3 : vec3<f3
         var wm_4 : vec3<f32> = normalize_vector_0(wo_5 + wi_3);
         var cos_7 : f32 = dot_product_0(wo_5, wm_4);
         var facet_pdf_0 : f32 = divide_0(Microfacets_visible_pdf_0(this_42.facets_5, wo_5, wm_4), 4.0f * cos_7);
-        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_42, cos_7) * Microfacets_shadowing_0(this_42.facets_5, wo_5.z, _S331) * facet_pdf_0));
+        var scattered_2 : vec3<f32> = scattered_0 + vec3<f32>((Plastic_coat_0(this_42, cos_7) * Microfacets_shadowing_0(this_42.facets_5, wo_5.z, _S332) * facet_pdf_0));
         pdf_12 = pdf_11 + coat_probability_0 * facet_pdf_0;
         scattered_1 = scattered_2;
     }
@@ -4518,22 +4522,22 @@ fn Plastic_sample_0( this_43 : Plastic_0,  given_1 : vec3<f32>,  u_16 : vec3<f32
 {
     (*sample_11) = no_bsdf_sample_0();
     var wo_6 : vec3<f32> = above_1(given_1);
-    var _S332 : f32 = wo_6.z;
-    var coat_2 : f32 = Plastic_coat_0(this_43, _S332);
+    var _S333 : f32 = wo_6.z;
+    var coat_2 : f32 = Plastic_coat_0(this_43, _S333);
     var coat_probability_1 : f32 = Plastic_coat_probability_0(this_43, coat_2);
     var is_coat_0 : bool = (u_16.z) < coat_probability_1;
-    var _S333 : bool;
+    var _S334 : bool;
     if(is_coat_0)
     {
-        _S333 = Microfacets_is_smooth_0(this_43.facets_5);
+        _S334 = Microfacets_is_smooth_0(this_43.facets_5);
     }
     else
     {
-        _S333 = false;
+        _S334 = false;
     }
-    if(_S333)
+    if(_S334)
     {
-        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S332), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
+        (*sample_11) = BsdfSample_x24init_0(vec3<f32>(- wo_6.x, - wo_6.y, _S333), vec3<f32>(divide_0(coat_2, coat_probability_1)), 1.0f, true);
         return true;
     }
     var wi_4 : vec3<f32>;
@@ -4562,10 +4566,10 @@ struct Dielectric_0
 
 fn Dielectric_x24init_0( eta_7 : f32,  facets_8 : Microfacets_0) -> Dielectric_0
 {
-    var _S334 : Dielectric_0;
-    _S334.eta_6 = eta_7;
-    _S334.facets_7 = facets_8;
-    return _S334;
+    var _S335 : Dielectric_0;
+    _S335.eta_6 = eta_7;
+    _S335.facets_7 = facets_8;
+    return _S335;
 }
 
 fn Dielectric_sample_0( this_44 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
@@ -4573,7 +4577,7 @@ fn Dielectric_sample_0( this_44 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     (*sample_12) = no_bsdf_sample_0();
     var wo_7 : vec3<f32> = above_1(given_2);
     var is_smooth_0 : bool = Microfacets_is_smooth_0(this_44.facets_7);
-    const _S335 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    const _S336 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
     var wm_5 : vec3<f32>;
     if(!is_smooth_0)
     {
@@ -4581,7 +4585,7 @@ fn Dielectric_sample_0( this_44 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
     }
     else
     {
-        wm_5 = _S335;
+        wm_5 = _S336;
     }
     var cos_8 : f32 = dot_product_0(wo_7, wm_5);
     var reflectance_2 : f32 = fresnel_dielectric_0(cos_8, this_44.eta_6);
@@ -4606,32 +4610,32 @@ fn Dielectric_sample_0( this_44 : Dielectric_0,  given_2 : vec3<f32>,  u_17 : ve
         (*sample_12) = BsdfSample_x24init_0(wi_5, vec3<f32>(1.0f), 1.0f, true);
         return true;
     }
-    var _S336 : f32 = wi_5.z;
-    var _S337 : bool;
-    if((_S336 > 0.0f) != is_reflected_0)
+    var _S337 : f32 = wi_5.z;
+    var _S338 : bool;
+    if((_S337 > 0.0f) != is_reflected_0)
     {
-        _S337 = true;
+        _S338 = true;
     }
     else
     {
-        _S337 = _S336 == 0.0f;
+        _S338 = _S337 == 0.0f;
     }
-    if(_S337)
+    if(_S338)
     {
         return false;
     }
-    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_44.facets_7, wo_7.z, abs(_S336)));
+    var weight_7 : vec3<f32> = vec3<f32>(Microfacets_shadowing_0(this_44.facets_7, wo_7.z, abs(_S337)));
     var pdf_13 : f32 = divide_0(reflectance_2 * Microfacets_visible_pdf_0(this_44.facets_7, wo_7, wm_5), 4.0f * cos_8);
-    var _S338 : f32;
+    var _S339 : f32;
     if(is_reflected_0)
     {
-        _S338 = pdf_13;
+        _S339 = pdf_13;
     }
     else
     {
-        _S338 = 1.0f;
+        _S339 = 1.0f;
     }
-    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S338, !is_reflected_0);
+    (*sample_12) = BsdfSample_x24init_0(wi_5, weight_7, _S339, !is_reflected_0);
     return true;
 }
 
@@ -4643,10 +4647,10 @@ struct Phase_0
 
 fn Phase_x24init_0( color_5 : vec3<f32>,  anisotropy_2 : f32) -> Phase_0
 {
-    var _S339 : Phase_0;
-    _S339.color_4 = color_5;
-    _S339.anisotropy_1 = anisotropy_2;
-    return _S339;
+    var _S340 : Phase_0;
+    _S340.color_4 = color_5;
+    _S340.anisotropy_1 = anisotropy_2;
+    return _S340;
 }
 
 fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_10 : f32,  cos_9 : ptr<function, f32>) -> vec3<f32>
@@ -4657,26 +4661,26 @@ fn sample_phase_0( anisotropy_3 : f32,  forward_0 : vec3<f32>,  u_18 : f32,  v_1
     }
     else
     {
-        var _S340 : f32 = anisotropy_3 * anisotropy_3;
-        var _S341 : f32 = 2.0f * anisotropy_3;
-        var ratio_1 : f32 = divide_0(1.0f - _S340, 1.0f + anisotropy_3 - _S341 * u_18);
-        (*cos_9) = divide_0(1.0f + _S340 - ratio_1 * ratio_1, _S341);
+        var _S341 : f32 = anisotropy_3 * anisotropy_3;
+        var _S342 : f32 = 2.0f * anisotropy_3;
+        var ratio_1 : f32 = divide_0(1.0f - _S341, 1.0f + anisotropy_3 - _S342 * u_18);
+        (*cos_9) = divide_0(1.0f + _S341 - ratio_1 * ratio_1, _S342);
     }
-    var _S342 : f32 = clamp((*cos_9), -1.0f, 1.0f);
-    (*cos_9) = _S342;
-    var radius_5 : f32 = square_root_0(1.0f - _S342 * _S342);
+    var _S343 : f32 = clamp((*cos_9), -1.0f, 1.0f);
+    (*cos_9) = _S343;
+    var radius_5 : f32 = square_root_0(1.0f - _S343 * _S343);
     var sin_cos_5 : vec2<f32> = sincos_turns_0(v_10);
     var x_17 : vec3<f32>;
     var y_13 : vec3<f32>;
     orthonormal_pair_1(forward_0, &(x_17), &(y_13));
-    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S342);
+    return x_17 * vec3<f32>((radius_5 * sin_cos_5.y)) + y_13 * vec3<f32>((radius_5 * sin_cos_5.x)) + forward_0 * vec3<f32>(_S343);
 }
 
 fn phase_pdf_0( anisotropy_4 : f32,  cos_10 : f32) -> f32
 {
-    var _S343 : f32 = anisotropy_4 * anisotropy_4;
-    var base_1 : f32 = 1.0f + _S343 - 2.0f * anisotropy_4 * cos_10;
-    return divide_0(1.0f - _S343, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
+    var _S344 : f32 = anisotropy_4 * anisotropy_4;
+    var base_1 : f32 = 1.0f + _S344 - 2.0f * anisotropy_4 * cos_10;
+    return divide_0(1.0f - _S344, 12.56637096405029297f * (base_1 * square_root_0(base_1)));
 }
 
 fn Phase_sample_0( this_45 : Phase_0,  wo_8 : vec3<f32>,  u_19 : vec3<f32>,  sample_13 : ptr<function, BsdfSample_0>) -> bool
@@ -4694,9 +4698,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_4 : vec3<f32>) -> Diffuse_0
 {
-    var _S344 : Diffuse_0;
-    _S344.reflectance_3 = reflectance_4;
-    return _S344;
+    var _S345 : Diffuse_0;
+    _S345.reflectance_3 = reflectance_4;
+    return _S345;
 }
 
 fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_9 : vec3<f32>,  u_20 : vec3<f32>,  sample_14 : ptr<function, BsdfSample_0>) -> bool
@@ -4710,40 +4714,40 @@ fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_10 : vec3<f32>,  u_21 : 
 {
     if((this_47.kind_0) == u32(1))
     {
-        var _S345 : bool = Conductor_sample_0(Conductor_x24init_0(this_47.color_1, this_47.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S345;
+        var _S346 : bool = Conductor_sample_0(Conductor_x24init_0(this_47.color_1, this_47.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S346;
     }
     if((this_47.kind_0) == u32(2))
     {
-        var _S346 : bool = Plastic_sample_0(Plastic_x24init_0(this_47.color_1, this_47.specular_1, this_47.eta_0, this_47.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S346;
+        var _S347 : bool = Plastic_sample_0(Plastic_x24init_0(this_47.color_1, this_47.specular_1, this_47.eta_0, this_47.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S347;
     }
     if((this_47.kind_0) == u32(3))
     {
-        var _S347 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_47.eta_0, this_47.facets_0), wo_10, u_21, &((*sample_15)));
-        return _S347;
+        var _S348 : bool = Dielectric_sample_0(Dielectric_x24init_0(this_47.eta_0, this_47.facets_0), wo_10, u_21, &((*sample_15)));
+        return _S348;
     }
     if((this_47.kind_0) == u32(4))
     {
-        var _S348 : bool = Phase_sample_0(Phase_x24init_0(this_47.color_1, this_47.specular_1), wo_10, u_21, &((*sample_15)));
-        return _S348;
+        var _S349 : bool = Phase_sample_0(Phase_x24init_0(this_47.color_1, this_47.specular_1), wo_10, u_21, &((*sample_15)));
+        return _S349;
     }
-    var _S349 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_1), wo_10, u_21, &((*sample_15)));
-    return _S349;
+    var _S350 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_1), wo_10, u_21, &((*sample_15)));
+    return _S350;
 }
 
 fn Conductor_eval_0( this_48 : Conductor_0,  given_3 : vec3<f32>,  wi_8 : vec3<f32>) -> BsdfEval_0
 {
-    var _S350 : bool;
+    var _S351 : bool;
     if(Microfacets_is_smooth_0(this_48.facets_3))
     {
-        _S350 = true;
+        _S351 = true;
     }
     else
     {
-        _S350 = (wi_8.z) <= 0.0f;
+        _S351 = (wi_8.z) <= 0.0f;
     }
-    if(_S350)
+    if(_S351)
     {
         return no_bsdf_eval_0();
     }
@@ -4766,16 +4770,16 @@ fn Plastic_eval_0( this_49 : Plastic_0,  given_4 : vec3<f32>,  wi_9 : vec3<f32>)
 
 fn Dielectric_eval_0( this_50 : Dielectric_0,  given_5 : vec3<f32>,  wi_10 : vec3<f32>) -> BsdfEval_0
 {
-    var _S351 : bool;
+    var _S352 : bool;
     if(Microfacets_is_smooth_0(this_50.facets_7))
     {
-        _S351 = true;
+        _S352 = true;
     }
     else
     {
-        _S351 = (wi_10.z) <= 0.0f;
+        _S352 = (wi_10.z) <= 0.0f;
     }
-    if(_S351)
+    if(_S352)
     {
         return no_bsdf_eval_0();
     }
@@ -4839,13 +4843,13 @@ fn MaterialBsdf_albedo_0( this_55 : MaterialBsdf_0) -> vec3<f32>
 fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_invocation_index) thread_13 : u32)
 {
     prove_0(thread_13);
-    var _S352 : u32 = id_12.x;
-    if(_S352 >= (dispatch_0.count_0))
+    var _S353 : u32 = id_12.x;
+    if(_S353 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S352);
-    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S352);
+    var reader_12 : Reader_0 = Reader_x24init_0(u32(25) * _S353);
+    var writer_12 : Writer_0 = Writer_x24init_0(u32(16) * _S353);
     var material_7 : PackedMaterial_0;
     var channel_0 : u32 = u32(0);
     for(;;)
@@ -4857,12 +4861,12 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S353 : f32 = Reader_number_0(&(reader_12));
-        material_7.base_color_0[channel_0] = _S353;
+        var _S354 : f32 = Reader_number_0(&(reader_12));
+        material_7.base_color_0[channel_0] = _S354;
         channel_0 = channel_0 + u32(1);
     }
-    var _S354 : f32 = Reader_number_0(&(reader_12));
-    material_7.roughness_0 = _S354;
+    var _S355 : f32 = Reader_number_0(&(reader_12));
+    material_7.roughness_0 = _S355;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4873,20 +4877,20 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S355 : f32 = Reader_number_0(&(reader_12));
-        material_7.emission_0[channel_0] = _S355;
+        var _S356 : f32 = Reader_number_0(&(reader_12));
+        material_7.emission_0[channel_0] = _S356;
         channel_0 = channel_0 + u32(1);
     }
-    var _S356 : f32 = Reader_number_0(&(reader_12));
-    material_7.metallic_0 = _S356;
     var _S357 : f32 = Reader_number_0(&(reader_12));
-    material_7.transmission_0 = _S357;
+    material_7.metallic_0 = _S357;
     var _S358 : f32 = Reader_number_0(&(reader_12));
-    material_7.ior_0 = _S358;
+    material_7.transmission_0 = _S358;
     var _S359 : f32 = Reader_number_0(&(reader_12));
-    material_7.specular_0 = _S359;
+    material_7.ior_0 = _S359;
     var _S360 : f32 = Reader_number_0(&(reader_12));
-    material_7.anisotropy_0 = _S360;
+    material_7.specular_0 = _S360;
+    var _S361 : f32 = Reader_number_0(&(reader_12));
+    material_7.anisotropy_0 = _S361;
     channel_0 = u32(0);
     for(;;)
     {
@@ -4897,26 +4901,26 @@ fn check_bsdf(@builtin(global_invocation_id) id_12 : vec3<u32>, @builtin(local_i
         {
             break;
         }
-        var _S361 : f32 = Reader_number_0(&(reader_12));
-        material_7.absorption_0[channel_0] = _S361;
+        var _S362 : f32 = Reader_number_0(&(reader_12));
+        material_7.absorption_0[channel_0] = _S362;
         channel_0 = channel_0 + u32(1);
     }
-    var _S362 : f32 = Reader_number_0(&(reader_12));
-    material_7.scattering_0 = _S362;
+    var _S363 : f32 = Reader_number_0(&(reader_12));
+    material_7.scattering_0 = _S363;
     var wo_17 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var _S363 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var u_22 : vec3<f32> = _S363;
-    var _S364 : f32 = u_22[i32(2)];
-    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S364));
-    u_22[i32(2)] = _S364;
+    var _S364 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var u_22 : vec3<f32> = _S364;
+    var _S365 : f32 = u_22[i32(2)];
+    var bsdf_0 : MaterialBsdf_0 = bsdf_of_0(material_7, 1.0f, &(_S365));
+    u_22[i32(2)] = _S365;
     var sample_16 : BsdfSample_0;
     var is_found_4 : bool = MaterialBsdf_sample_0(bsdf_0, wo_17, u_22, &(sample_16));
     if(!is_found_4)
     {
         sample_16 = no_bsdf_sample_0();
     }
-    var _S365 : vec3<f32> = Reader_vector_0(&(reader_12));
-    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S365);
+    var _S366 : vec3<f32> = Reader_vector_0(&(reader_12));
+    var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(bsdf_0, wo_17, _S366);
     Writer_word_0(&(writer_12), u32(is_found_4));
     Writer_vector_0(&(writer_12), sample_16.wi_0);
     Writer_vector_0(&(writer_12), sample_16.weight_3);
@@ -4954,37 +4958,37 @@ fn unscattered_0( medium_1 : PackedMaterial_0,  voxels_2 : f32) -> f32
 fn logarithm_0( x_19 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_19)));
-    var _S366 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S366 > u32(3474675);
+    var _S367 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S367 > u32(3474675);
     var power_4 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S367 : u32;
+    var _S368 : u32;
     if(is_upper_0)
     {
-        _S367 = u32(1056964608);
+        _S368 = u32(1056964608);
     }
     else
     {
-        _S367 = u32(1065353216);
+        _S368 = u32(1065353216);
     }
-    var mantissa_3 : f32 = (bitcast<f32>(((_S366 | (_S367)))));
+    var mantissa_3 : f32 = (bitcast<f32>(((_S367 | (_S368)))));
     var s_1 : f32 = divide_0(mantissa_3 - 1.0f, mantissa_3 + 1.0f);
     var ss_0 : f32 = s_1 * s_1;
-    var _S368 : f32 = f32(power_4);
-    return _S368 * 0.693359375f + (_S368 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S369 : f32 = f32(power_4);
+    return _S369 * 0.693359375f + (_S369 * -0.00021219444170129f + s_1 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 {
-    var _S369 : f32;
+    var _S370 : f32;
     if((medium_2.scattering_0) > 0.0f)
     {
-        _S369 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
+        _S370 = divide_0(- logarithm_0(1.0f - u_23), medium_2.scattering_0);
     }
     else
     {
-        _S369 = (bitcast<f32>(infinity_bits_0));
+        _S370 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S369;
+    return _S370;
 }
 
 @compute
@@ -4992,13 +4996,13 @@ fn free_path_0( medium_2 : PackedMaterial_0,  u_23 : f32) -> f32
 fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local_invocation_index) thread_14 : u32)
 {
     prove_0(thread_14);
-    var _S370 : u32 = id_13.x;
-    if(_S370 >= (dispatch_0.count_0))
+    var _S371 : u32 = id_13.x;
+    if(_S371 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S370);
-    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S370);
+    var reader_13 : Reader_0 = Reader_x24init_0(u32(12) * _S371);
+    var writer_13 : Writer_0 = Writer_x24init_0(u32(10) * _S371);
     var medium_3 : PackedMaterial_0;
     var channel_1 : u32 = u32(0);
     for(;;)
@@ -5010,14 +5014,14 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
         {
             break;
         }
-        var _S371 : f32 = Reader_number_0(&(reader_13));
-        medium_3.absorption_0[channel_1] = _S371;
+        var _S372 : f32 = Reader_number_0(&(reader_13));
+        medium_3.absorption_0[channel_1] = _S372;
         channel_1 = channel_1 + u32(1);
     }
-    var _S372 : f32 = Reader_number_0(&(reader_13));
-    medium_3.scattering_0 = _S372;
     var _S373 : f32 = Reader_number_0(&(reader_13));
-    medium_3.anisotropy_0 = _S373;
+    medium_3.scattering_0 = _S373;
+    var _S374 : f32 = Reader_number_0(&(reader_13));
+    medium_3.anisotropy_0 = _S374;
     var voxels_3 : f32 = Reader_number_0(&(reader_13));
     var forward_1 : vec3<f32> = Reader_vector_0(&(reader_13));
     var u_24 : f32 = Reader_number_0(&(reader_13));
@@ -5026,11 +5030,11 @@ fn check_medium(@builtin(global_invocation_id) id_13 : vec3<u32>, @builtin(local
     Writer_number_0(&(writer_13), unscattered_0(medium_3, voxels_3));
     Writer_number_0(&(writer_13), free_path_0(medium_3, u_24));
     var cos_14 : f32;
-    var _S374 : vec3<f32> = sample_phase_0(_S373, forward_1, u_24, v_11, &(cos_14));
-    Writer_vector_0(&(writer_13), _S374);
+    var _S375 : vec3<f32> = sample_phase_0(_S374, forward_1, u_24, v_11, &(cos_14));
+    Writer_vector_0(&(writer_13), _S375);
     Writer_number_0(&(writer_13), cos_14);
-    var _S375 : f32 = Reader_number_0(&(reader_13));
-    Writer_number_0(&(writer_13), phase_pdf_0(_S373, _S375));
+    var _S376 : f32 = Reader_number_0(&(reader_13));
+    Writer_number_0(&(writer_13), phase_pdf_0(_S374, _S376));
     return;
 }
 
@@ -5044,12 +5048,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_2 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>) -> Perspective_0
 {
-    var _S376 : Perspective_0;
-    _S376.eye_1 = eye_2;
-    _S376.corner_2 = corner_3;
-    _S376.pixel_x_1 = pixel_x_2;
-    _S376.pixel_y_1 = pixel_y_2;
-    return _S376;
+    var _S377 : Perspective_0;
+    _S377.eye_1 = eye_2;
+    _S377.corner_2 = corner_3;
+    _S377.pixel_x_1 = pixel_x_2;
+    _S377.pixel_y_1 = pixel_y_2;
+    return _S377;
 }
 
 struct Axes_0
@@ -5061,11 +5065,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_3 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S377 : Axes_0;
-    _S377.forward_2 = forward_3;
-    _S377.right_3 = right_4;
-    _S377.up_0 = up_1;
-    return _S377;
+    var _S378 : Axes_0;
+    _S378.forward_2 = forward_3;
+    _S378.right_3 = right_4;
+    _S378.up_0 = up_1;
+    return _S378;
 }
 
 struct ThinLens_0
@@ -5078,28 +5082,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> ThinLens_0
 {
-    var _S378 : ThinLens_0;
-    _S378.perspective_0 = perspective_1;
-    _S378.lens_x_1 = lens_x_2;
-    _S378.lens_y_1 = lens_y_2;
-    _S378.blades_1 = blades_2;
-    return _S378;
+    var _S379 : ThinLens_0;
+    _S379.perspective_0 = perspective_1;
+    _S379.lens_x_1 = lens_x_2;
+    _S379.lens_y_1 = lens_y_2;
+    _S379.blades_1 = blades_2;
+    return _S379;
 }
 
 fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
 {
     var a_8 : f32 = 2.0f * square_2.x - 1.0f;
     var b_7 : f32 = 2.0f * square_2.y - 1.0f;
-    var _S379 : bool;
+    var _S380 : bool;
     if(a_8 == 0.0f)
     {
-        _S379 = b_7 == 0.0f;
+        _S380 = b_7 == 0.0f;
     }
     else
     {
-        _S379 = false;
+        _S380 = false;
     }
-    if(_S379)
+    if(_S380)
     {
         return vec2<f32>(0.0f);
     }
@@ -5126,7 +5130,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S380 : f32 = abs(radius_6);
+    var _S381 : f32 = abs(radius_6);
     if(turns_3 < 0.0f)
     {
         radius_6 = turns_3 + 1.0f;
@@ -5135,7 +5139,7 @@ fn concentric_0( square_2 : vec2<f32>) -> vec2<f32>
     {
         radius_6 = turns_3;
     }
-    return vec2<f32>(_S380, radius_6);
+    return vec2<f32>(_S381, radius_6);
 }
 
 fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
@@ -5153,9 +5157,9 @@ fn place_in_aperture_0( blades_3 : u32,  lens_1 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_6));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_6));
-    var _S381 : f32 = from_0.y;
-    var _S382 : f32 = from_0.x;
-    return vec2<f32>(_S381 + (to_0.y - _S381) * share_8, _S382 + (to_0.x - _S382) * share_8) * vec2<f32>(radius_7);
+    var _S382 : f32 = from_0.y;
+    var _S383 : f32 = from_0.x;
+    return vec2<f32>(_S382 + (to_0.y - _S382) * share_8, _S383 + (to_0.x - _S383) * share_8) * vec2<f32>(radius_7);
 }
 
 fn ThinLens_ray_0( this_56 : ThinLens_0,  position_1 : vec2<f32>,  lens_2 : vec2<f32>) -> Ray_0
@@ -5175,12 +5179,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>,  forward_5 : vec3<f32>) -> Orthographic_0
 {
-    var _S383 : Orthographic_0;
-    _S383.corner_4 = corner_5;
-    _S383.pixel_x_3 = pixel_x_4;
-    _S383.pixel_y_3 = pixel_y_4;
-    _S383.forward_4 = forward_5;
-    return _S383;
+    var _S384 : Orthographic_0;
+    _S384.corner_4 = corner_5;
+    _S384.pixel_x_3 = pixel_x_4;
+    _S384.pixel_y_3 = pixel_y_4;
+    _S384.forward_4 = forward_5;
+    return _S384;
 }
 
 fn Orthographic_ray_0( this_57 : Orthographic_0,  position_2 : vec2<f32>,  lens_3 : vec2<f32>) -> Ray_0
@@ -5198,12 +5202,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_4 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S384 : Panorama_0;
-    _S384.eye_3 = eye_4;
-    _S384.axes_1 = axes_2;
-    _S384.inverse_size_0 = inverse_size_1;
-    _S384.half_eye_distance_0 = half_eye_distance_1;
-    return _S384;
+    var _S385 : Panorama_0;
+    _S385.eye_3 = eye_4;
+    _S385.axes_1 = axes_2;
+    _S385.inverse_size_0 = inverse_size_1;
+    _S385.half_eye_distance_0 = half_eye_distance_1;
+    return _S385;
 }
 
 fn Panorama_ray_0( this_58 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -5230,9 +5234,9 @@ fn Panorama_ray_0( this_58 : Panorama_0,  position_3 : vec2<f32>,  lens_4 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_3.x * this_58.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S385 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S386 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_58.eye_3 + (this_58.axes_1.forward_2 * _S386 - this_58.axes_1.right_3 * _S385) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_58.axes_1.forward_2 * _S385 + this_58.axes_1.right_3 * _S386) * vec3<f32>(height_2.x) + this_58.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S386 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S387 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_58.eye_3 + (this_58.axes_1.forward_2 * _S387 - this_58.axes_1.right_3 * _S386) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_58.axes_1.forward_2 * _S386 + this_58.axes_1.right_3 * _S387) * vec3<f32>(height_2.x) + this_58.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -5245,12 +5249,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_6 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S387 : Fisheye_0;
-    _S387.eye_5 = eye_6;
-    _S387.axes_3 = axes_4;
-    _S387.middle_1 = middle_2;
-    _S387.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S387;
+    var _S388 : Fisheye_0;
+    _S388.eye_5 = eye_6;
+    _S388.axes_3 = axes_4;
+    _S388.middle_1 = middle_2;
+    _S388.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S388;
 }
 
 fn Fisheye_ray_0( this_59 : Fisheye_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -5322,36 +5326,36 @@ fn CameraFrame_ray_0( this_61 : CameraFrame_0,  position_6 : vec2<f32>,  lens_sa
 fn check_camera(@builtin(global_invocation_id) id_14 : vec3<u32>, @builtin(local_invocation_index) thread_15 : u32)
 {
     prove_0(thread_15);
-    var _S388 : u32 = id_14.x;
-    if(_S388 >= (dispatch_0.count_0))
+    var _S389 : u32 = id_14.x;
+    if(_S389 >= (dispatch_0.count_0))
     {
         return;
     }
-    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S388);
-    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S388);
+    var reader_14 : Reader_0 = Reader_x24init_0(u32(24) * _S389);
+    var writer_14 : Writer_0 = Writer_x24init_0(u32(8) * _S389);
     var camera_0 : CameraFrame_0;
-    var _S389 : u32 = Reader_word_0(&(reader_14));
-    camera_0.lens_7 = _S389;
-    var _S390 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.eye_7 = _S390;
+    var _S390 : u32 = Reader_word_0(&(reader_14));
+    camera_0.lens_7 = _S390;
     var _S391 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.corner_6 = _S391;
+    camera_0.eye_7 = _S391;
     var _S392 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_x_5 = _S392;
+    camera_0.corner_6 = _S392;
     var _S393 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.pixel_y_5 = _S393;
+    camera_0.pixel_x_5 = _S393;
     var _S394 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_x_3 = _S394;
+    camera_0.pixel_y_5 = _S394;
     var _S395 : vec3<f32> = Reader_vector_0(&(reader_14));
-    camera_0.lens_y_3 = _S395;
-    var _S396 : u32 = Reader_word_0(&(reader_14));
-    camera_0.blades_4 = _S396;
+    camera_0.lens_x_3 = _S395;
+    var _S396 : vec3<f32> = Reader_vector_0(&(reader_14));
+    camera_0.lens_y_3 = _S396;
+    var _S397 : u32 = Reader_word_0(&(reader_14));
+    camera_0.blades_4 = _S397;
     var x_21 : f32 = Reader_number_0(&(reader_14));
-    var _S397 : f32 = Reader_number_0(&(reader_14));
-    var position_7 : vec2<f32> = vec2<f32>(x_21, _S397);
-    var u_25 : f32 = Reader_number_0(&(reader_14));
     var _S398 : f32 = Reader_number_0(&(reader_14));
-    var ray_9 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S398));
+    var position_7 : vec2<f32> = vec2<f32>(x_21, _S398);
+    var u_25 : f32 = Reader_number_0(&(reader_14));
+    var _S399 : f32 = Reader_number_0(&(reader_14));
+    var ray_9 : Ray_0 = CameraFrame_ray_0(camera_0, position_7, vec2<f32>(u_25, _S399));
     Writer_vector_0(&(writer_14), ray_9.origin_1);
     Writer_number_0(&(writer_14), ray_9.t_min_0);
     Writer_vector_0(&(writer_14), ray_9.direction_1);

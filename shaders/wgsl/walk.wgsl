@@ -3280,7 +3280,7 @@ fn Sky_sample_0( receiver_2 : Receiver_0,  u_6 : vec4<f32>,  sample_7 : ptr<func
     {
         return false;
     }
-    var cos_theta_3 : f32 = dot_product_0(receiver_2.normal_2, chosen_1.direction_25);
+    var cos_theta_3 : f32 = with_slack_0(receiver_2, dot_product_0(receiver_2.normal_2, chosen_1.direction_25));
     (*sample_7) = LightSample_x24init_0(ray_from_0(receiver_2.point_0, chosen_1.direction_25), cos_theta_3, chosen_1.radiance_4 * vec3<f32>(params_0.sky_brightness_0), chosen_1.pdf_5);
     return cos_theta_3 > 0.0f;
 }
@@ -4738,32 +4738,37 @@ fn Inside_point_0( this_43 : Inside_0,  ray_18 : Ray_0,  t_11 : f32) -> vec3<f32
     return Transform_point_0(_S325.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S325.grid_from_world_0.translation_0), vec3<f32>(this_43.voxel_2), Transform_point_0(_S325.grid_from_world_0, ray_18.origin_1) + Transform_direction_0(_S325.grid_from_world_0, ray_18.direction_1) * vec3<f32>(t_11)));
 }
 
-fn importance_of_all_0( receiver_11 : Receiver_0) -> f32
+fn Lights_sun_cosine_0( receiver_11 : Receiver_0) -> f32
+{
+    return dot_product_0(receiver_11.normal_2, params_0.sun_direction_0);
+}
+
+fn importance_of_all_0( receiver_12 : Receiver_0) -> f32
 {
     if((params_0.light_node_count_0) == u32(0))
     {
         return 0.0f;
     }
-    return view_0(top_light_node_0(u32(0)), receiver_11).importance_0 * params_0.light_intensity_0;
+    return view_0(top_light_node_0(u32(0)), receiver_12).importance_0 * params_0.light_intensity_0;
 }
 
-fn EmitterTree_importance_0( receiver_12 : Receiver_0) -> f32
+fn EmitterTree_importance_0( receiver_13 : Receiver_0) -> f32
 {
-    return importance_of_all_0(receiver_12);
+    return importance_of_all_0(receiver_13);
 }
 
-fn Lights_sun_probability_0( receiver_13 : Receiver_0) -> f32
+fn Lights_sun_probability_0( receiver_14 : Receiver_0) -> f32
 {
     if(!has_sun_0())
     {
         return 0.0f;
     }
-    var cos_theta_5 : f32 = with_slack_0(receiver_13, dot_product_0(receiver_13.normal_2, params_0.sun_direction_0));
+    var cos_theta_5 : f32 = Lights_sun_cosine_0(receiver_14);
     if(cos_theta_5 <= (- params_0.sun_sin_radius_0))
     {
         return 0.0f;
     }
-    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_13);
+    var from_emitters_0 : f32 = EmitterTree_importance_0(receiver_14);
     if(from_emitters_0 <= 0.0f)
     {
         return 1.0f;
@@ -4772,19 +4777,18 @@ fn Lights_sun_probability_0( receiver_13 : Receiver_0) -> f32
     return clamp(divide_0(from_sun_0, from_sun_0 + from_emitters_0), 0.25f, 0.75f);
 }
 
-fn Lights_sky_probability_0( receiver_14 : Receiver_0) -> f32
+fn Lights_sky_probability_0( receiver_15 : Receiver_0) -> f32
 {
-    var cos_theta_6 : f32 = dot_product_0(receiver_14.normal_2, params_0.sun_direction_0);
     var from_sun_1 : f32;
     if(has_sun_0())
     {
-        from_sun_1 = params_0.sun_irradiance_0 * max(cos_theta_6, 0.0f);
+        from_sun_1 = params_0.sun_irradiance_0 * max(Lights_sun_cosine_0(receiver_15), 0.0f);
     }
     else
     {
         from_sun_1 = 0.0f;
     }
-    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_14);
+    var from_others_0 : f32 = from_sun_1 + EmitterTree_importance_0(receiver_15);
     if(from_others_0 <= 0.0f)
     {
         return 1.0f;
@@ -4792,14 +4796,14 @@ fn Lights_sky_probability_0( receiver_14 : Receiver_0) -> f32
     return clamp(divide_0(params_0.sky_irradiance_0, params_0.sky_irradiance_0 + from_others_0), 0.25f, 0.75f);
 }
 
-fn Lights_selection_0( receiver_15 : Receiver_0) -> Selection_0
+fn Lights_selection_0( receiver_16 : Receiver_0) -> Selection_0
 {
-    var sun_2 : f32 = Lights_sun_probability_0(receiver_15);
+    var sun_2 : f32 = Lights_sun_probability_0(receiver_16);
     if(!Lights_has_chosen_sky_0())
     {
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
-    var sky_3 : f32 = Lights_sky_probability_0(receiver_15);
+    var sky_3 : f32 = Lights_sky_probability_0(receiver_16);
     var _S326 : f32 = 1.0f - sky_3;
     return Selection_x24init_0(sun_2 * _S326, sky_3, (1.0f - sun_2) * _S326);
 }
@@ -4832,9 +4836,9 @@ fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
     return _S327;
 }
 
-fn cosine_hemisphere_pdf_0( cos_theta_7 : f32) -> f32
+fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 {
-    return max(cos_theta_7, 0.0f) * 0.31830987334251404f;
+    return max(cos_theta_6, 0.0f) * 0.31830987334251404f;
 }
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
@@ -5145,13 +5149,13 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S345);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
-    var receiver_16 : Receiver_0;
+    var receiver_17 : Receiver_0;
     if(is_scattered_0)
     {
         var _S346 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
         inside_5 = _S346;
         var _S347 : vec3<f32> = normalize_vector_0(_S345);
-        receiver_16 = Receiver_x24init_0(Inside_point_0(_S346, ray_19, t_12), _S334);
+        receiver_17 = Receiver_x24init_0(Inside_point_0(_S346, ray_19, t_12), _S334);
         wo_5 = _S347;
     }
     else
@@ -5162,16 +5166,16 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
             inside_5 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
             inside_5.voxel_2 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_16 = _S344;
+        receiver_17 = _S344;
         wo_5 = wo_4;
     }
-    next_0.origin_11 = receiver_16.point_0;
+    next_0.origin_11 = receiver_17.point_0;
     next_0.shadow_inside_1 = inside_5;
     var _S348 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
-        receiver_16 = last_6;
+        receiver_17 = last_6;
         aim_5 = met_0;
     }
     else
@@ -5180,7 +5184,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     if(_S343)
     {
-        (*path_5).selection_0 = Lights_selection_0(receiver_16);
+        (*path_5).selection_0 = Lights_selection_0(receiver_17);
     }
     var light_3 : LightSample_0 = no_light_0();
     var _S349 : bool = !MaterialBsdf_is_delta_0(_S341);
@@ -5194,7 +5198,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     if(is_chosen_0)
     {
-        var _S350 : bool = Lights_sample_0(receiver_16, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
+        var _S350 : bool = Lights_sample_0(receiver_17, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
         next_0.has_shadow_ray_0 = _S350;
     }
     if(is_weighed_0)
@@ -5246,7 +5250,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         t_12 = bounce_4.pdf_11;
     }
     (*path_5).pdf_1 = t_12;
-    (*path_5).normal_0 = receiver_16.normal_2;
+    (*path_5).normal_0 = receiver_17.normal_2;
     next_0.direction_6 = bounce_4.wi_2;
     if(!is_scattered_0)
     {

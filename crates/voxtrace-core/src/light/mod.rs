@@ -184,7 +184,7 @@ impl<'a> Lights<'a> {
         if self.sky_irradiance <= 0.0 {
             return 0.0;
         }
-        let of_sun = |sun: &SunDisc| sun.irradiance * receiver.normal.dot(sun.direction).max(0.0);
+        let of_sun = |sun: &SunDisc| sun.irradiance * sun_cosine(sun, receiver).max(0.0);
         let from_others = self.sun.as_ref().map_or(0.0, of_sun) + self.emitters.importance(receiver);
         if from_others <= 0.0 {
             return 1.0;
@@ -195,7 +195,7 @@ impl<'a> Lights<'a> {
     /// The sun's part of what the sky leaves.
     fn sun_probability(&self, receiver: &Receiver) -> f32 {
         let Some(sun) = &self.sun else { return 0.0 };
-        let cos_theta = receiver.normal.dot(sun.direction) + receiver.slack;
+        let cos_theta = sun_cosine(sun, receiver);
         if cos_theta <= -sun.sin_radius {
             return 0.0;
         }
@@ -203,8 +203,12 @@ impl<'a> Lights<'a> {
         if from_emitters <= 0.0 {
             return 1.0;
         }
-        let cos_theta = if receiver.slack > 0.0 { 1.0 } else { cos_theta };
         let from_sun = sun.irradiance * cos_theta.max(0.0);
         (from_sun / (from_sun + from_emitters)).clamp(0.25, 0.75)
     }
+}
+
+/// Cosine with the direction of the sun. In a medium it counts from wherever it stands.
+fn sun_cosine(sun: &SunDisc, receiver: &Receiver) -> f32 {
+    if receiver.slack > 0.0 { 1.0 } else { receiver.normal.dot(sun.direction) }
 }

@@ -18,14 +18,14 @@ const EYE: f64 = 0.01;
 const STEPS: u32 = 32;
 const STEPS_DOWN: u32 = 8;
 const TABLE_STEPS: u32 = 20;
-/// Rows and columns of the table, and of the directions that it gathers from.
+/// Rows and columns of the table, and rows of the directions that it gathers from: most light comes from a narrow band above the horizon.
 const TABLE_EDGE: usize = 32;
-const TABLE_DIRECTIONS: u32 = 8;
+const TABLE_ROWS: u32 = 32;
 /// Texels whose directions have a z nearer to 0 than this are looked at in so many rows and columns.
 const NEAR_HORIZON: f64 = 0.02;
 const LOOKS: u32 = 4;
 /// Where in its step a ray is looked at.
-const WITHIN_STEP: f64 = 0.3;
+const WITHIN_STEP: f64 = 0.5;
 
 /// What the air of a planet like the Earth consists of: coefficients at sea level in 1/km, red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,8 +146,10 @@ impl<'a> LitAir<'a> {
     fn new(air: &'a Atmosphere, sun: DVec3) -> Self {
         let transmittance = Transmittance::new(air);
         let mut lit = Self { air, sun, transmittance, multiple: Table::new(1, 1, |_, _| DVec3::ZERO) };
-        let multiple =
-            Table::new(TABLE_EDGE, TABLE_EDGE, |x, y| lit.scattered_often(x * 2.0 - 1.0, y * (TOP - GROUND)));
+        let multiple = Table::new(TABLE_EDGE, TABLE_EDGE, |x, y| {
+            let height = y * (TOP - GROUND);
+            lit.scattered_often(x * 2.0 - 1.0, height, (TABLE_ROWS, TABLE_STEPS))
+        });
         lit.multiple = multiple;
         lit
     }
@@ -161,8 +163,9 @@ impl<'a> LitAir<'a> {
         if hits_ground(radius, cosine) { DVec3::ZERO } else { self.transmittance.to_top(radius, cosine) }
     }
 
-    /// An entry of the table: light scattered twice, continued as a geometric series.
-    fn scattered_often(&self, cosine: f64, height: f64) -> DVec3 {
+    /// An entry of the table: light scattered twice, continued as a geometric series, gathered by rays of so many steps from so many rows of
+    /// directions.
+    fn scattered_often(&self, cosine: f64, height: f64, (rows, steps): (u32, u32)) -> DVec3 {
         let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
         let lit = Self {
             sun: DVec3::new(sine, 0.0, cosine),
@@ -172,14 +175,20 @@ impl<'a> LitAir<'a> {
         };
         let point = DVec3::Z * (GROUND + height.clamp(1e-3, TOP - GROUND - 1e-3));
         let (mut twice, mut share) = (DVec3::ZERO, DVec3::ZERO);
-        for index in 0..TABLE_DIRECTIONS * TABLE_DIRECTIONS {
-            let place = Vec2::new((index % TABLE_DIRECTIONS) as f32 + 0.5, (index / TABLE_DIRECTIONS) as f32 + 0.5);
-            let direction = direction_of(place / TABLE_DIRECTIONS as f32).as_dvec3();
-            let seen = lit.along(point, direction, TABLE_STEPS, false);
-            twice += seen.radiance;
-            share += seen.scattered;
+        // Eight directions of each row, of which those behind the plane of the sun see the same as those before it.
+        let root = 2.0_f64.sqrt();
+        let [near, far] = [(2.0 + root).sqrt() * 0.5, (2.0 - root).sqrt() * 0.5];
+        let around = [(near, far), (far, near), (-far, near), (-near, far)];
+        for row in 0..rows {
+            let z = (f64::from(row) + 0.5) / f64::from(rows) * 2.0 - 1.0;
+            let level = (1.0 - z * z).sqrt();
+            for (x, y) in around {
+                let seen = lit.along(point, DVec3::new(x * level, y * level, z), steps, false);
+                twice += seen.radiance;
+                share += seen.scattered;
+            }
         }
-        let count = f64::from(TABLE_DIRECTIONS * TABLE_DIRECTIONS);
+        let count = f64::from(rows) * around.len() as f64;
         twice / count / (1.0 - (share / count).min(DVec3::splat(0.99)))
     }
 
@@ -282,6 +291,28 @@ mod tests {
         assert!((0.08..0.25).contains(&share), "{share}");
         let night = Atmosphere::EARTH.sky(&sun(-20.0));
         assert!(night.sun().is_none() && night.mean_radiance().max_element() < 1e-3 * noon.mean_radiance().x);
+    }
+
+    #[test]
+    fn steps_and_directions_are_enough() {
+        for height in [60.0, 10.0, 2.0] {
+            let direction = sun(height).direction.as_dvec3();
+            let lit = LitAir::new(&Atmosphere::EARTH, direction);
+            let apart = |ours: DVec3, exact: DVec3| ((ours - exact) / exact).abs().max_element();
+            // The table, above the ground and in the middle of the air.
+            for above in [0.01, 5.0] {
+                let of = |rows, steps| lit.scattered_often(direction.z, above, (rows, steps));
+                let exact = of(240, 100);
+                let ours = of(TABLE_ROWS, TABLE_STEPS);
+                assert!(apart(ours, exact) < 0.05, "{height} {above}: {ours} {exact}");
+                assert!(apart(of(4, TABLE_STEPS), exact) > 0.05, "{height} {above}: few directions are noticed");
+            }
+            for z in [1.0, 0.5, 0.1] {
+                let along = DVec3::new(0.0, (1.0 - z * z as f64).sqrt(), z);
+                let seen = |steps| lit.along(DVec3::Z * (GROUND + EYE), along, steps, true).radiance;
+                assert!(apart(seen(STEPS), seen(4000)) < 0.02, "{height} {z}: {} {}", seen(STEPS), seen(4000));
+            }
+        }
     }
 
     #[test]

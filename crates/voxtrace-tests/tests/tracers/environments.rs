@@ -3,12 +3,13 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 use voxtrace::glam::{IVec3, Vec2, Vec3};
+use voxtrace::grid::VoxelBox;
 use voxtrace::sky::{Background, Environment, EnvironmentMap, equal_area};
 use voxtrace::{
     Camera, CpuTracer, Film, Frame, Integrator, Material, PackedScene, Scene, Sky, Sun, Tracer, Transform, VoxelGrid,
 };
 use voxtrace_tests::environments::{even_map, lone_texel, noise_map};
-use voxtrace_tests::estimate::{check_equal, check_same, radiance, render};
+use voxtrace_tests::estimate::{Estimate, check_equal, check_same, radiance, render};
 use voxtrace_tests::gpu::{assert_valid, device, film, film_methods, for_each_tracer};
 use voxtrace_tests::rooms;
 use voxtrace_vulkan::{Primitive, Traversal};
@@ -87,6 +88,46 @@ fn a_map_s_sun_makes_no_fireflies() {
     let (path, essay) = (brightest(Integrator::Path), brightest(Integrator::Essay));
     assert!(path < 4.0, "{path}");
     assert!(essay > 100.0, "surfaces alone find it as a firefly: {essay}");
+}
+
+/// A cube of a cloud before a camera that sees nothing else, under a map.
+fn cloud_under(sky: Sky) -> (Scene, Frame) {
+    let mut grid = VoxelGrid::new();
+    grid.fill_box(VoxelBox { min: IVec3::splat(-8), max: IVec3::splat(8) }, 0);
+    let scene = Scene { sky, ..Scene::from_grid("cloud", grid, vec![Material::cloud(Vec3::ONE, 0.2, 0.4)]) };
+    let camera = Camera::look_at(Vec3::new(40.0, -50.0, 9.0), Vec3::ZERO);
+    let frame = Frame::new(Camera { fov_y: 12.0, ..camera }, 12, 12).integrator(Integrator::Path).max_bounces(200);
+    (scene, frame)
+}
+
+#[test]
+fn a_white_cloud_in_a_white_map_is_invisible() {
+    let check = |light: f32| {
+        let (scene, frame) = cloud_under(sky(even_map(8, Vec3::splat(light))));
+        let found = radiance(&scene, &frame.samples(256), 2);
+        let expected = Estimate { mean: 1.0, standard_error: 0.0 };
+        check_same(&found, &vec![expected; found.len()], 0.03)
+    };
+    check(1.0).unwrap();
+    check(1.05).unwrap_err();
+}
+
+#[test]
+fn a_cloud_gets_the_sun_beside_a_map_and_devices_make_the_same_film_of_it() {
+    let sun = Sun::at(200.0, 35.0, 2.0);
+    let (with_sun, frame) = cloud_under(sky(even_map(8, Vec3::splat(0.01))).with_sun(sun));
+    let (without, _) = cloud_under(Sky::uniform(Vec3::splat(0.01)).with_sun(sun));
+    let [map, flat] = [&with_sun, &without].map(|scene| radiance(scene, &frame.clone().samples(256), 1));
+    check_same(&map, &flat, 0.05).unwrap();
+    let (scene, frame) = cloud_under(sky(noise_map(32, 3)).with_sun(sun));
+    let (scene, frame) = (Arc::new(PackedScene::pack(&scene).unwrap()), frame.max_bounces(8).samples(3));
+    let expected = render(&scene, &frame);
+    let Some(device) = device() else { return };
+    let walk = [(Traversal::Walk, Primitive::Brick)];
+    for_each_tracer(&device, &film_methods(&device, &walk), &scene, |tracer, traversal, _| {
+        assert!(film(tracer, &frame) == expected, "{traversal:?}");
+    });
+    assert_valid(&device);
 }
 
 /// Lamps and plains under maps, with a sun and without, and a black map.
