@@ -22,7 +22,7 @@ pub enum Projection {
 }
 
 /// Direction from the target to the eye of an isometric view: the quarter from which the automatic view looks, too.
-const ISOMETRIC: Vec3 = Vec3::new(1.0, -1.0, 1.0);
+pub const ISOMETRIC: Vec3 = Vec3::new(1.0, -1.0, 1.0);
 
 /// Options about the lens.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -31,7 +31,7 @@ pub struct LensArgs {
     /// How the picture shows what is around the camera [default: what the camera has, pinhole]
     #[arg(long, value_enum)]
     pub projection: Option<Projection>,
-    /// Height of what an orthographic or isometric picture shows, in voxels [default: what --fov shows at the target]
+    /// Height of what an orthographic or isometric picture shows, in voxels [default: what --fov shows at the target; of the camera `auto`, what shows everything]
     #[arg(long, value_name = "VOXELS", value_parser = parse::positive)]
     pub view_height: Option<f32>,
     /// Angle that the height of a fisheye's picture shows [default: 180]

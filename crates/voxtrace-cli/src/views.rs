@@ -2,7 +2,7 @@
 
 use crate::camera_file::{self, CameraFile};
 use crate::failure::Failure;
-use crate::lens::LensArgs;
+use crate::lens::{ISOMETRIC, LensArgs, Projection};
 use crate::parse::{self, Frames};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -225,7 +225,14 @@ impl ViewArgs {
     fn named_cameras(&self, scene: &PackedScene, aspect: f32) -> Result<Vec<Camera>, Failure> {
         // A turntable turns around the middle of the scene, whatever is seen of it from one side.
         let is_still = self.turntable.is_none();
-        let fitted = || if is_still { scene.portrait(aspect) } else { scene.overview(aspect) };
+        let fitted = || match self.lens.projection {
+            _ if !is_still => scene.overview(aspect),
+            // Parallel rays show what the field of view shows at the target, where it is said.
+            _ if self.place.says_camera() => scene.portrait(aspect),
+            Some(Projection::Orthographic) => scene.parallel_portrait(aspect),
+            Some(Projection::Isometric) => scene.parallel_portrait_from(ISOMETRIC, aspect),
+            _ => scene.portrait(aspect),
+        };
         let auto = || Camera { name: AUTO.into(), ..fitted() };
         if self.camera.is_empty() {
             return Ok(vec![scene.cameras.first().cloned().unwrap_or_else(auto)]);

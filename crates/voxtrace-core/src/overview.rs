@@ -25,11 +25,17 @@ impl PackedScene {
     }
 }
 
+/// Which way is up where one looks from the direction `towards_camera`: z, but from straight above y and from straight below −y.
+pub(crate) fn world_up(towards_camera: Vec3) -> Vec3 {
+    let z = towards_camera.normalize().z;
+    if z.abs() < 0.999 { Vec3::Z } else { Vec3::Y * z.signum() }
+}
+
 /// The camera that sees the whole box `min` to `max`.
 fn around(min: Vec3, max: Vec3, towards_camera: Vec3, aspect: f32) -> Camera {
     let middle = (min + max) * 0.5;
     let forward = -towards_camera.normalize();
-    let world_up = if forward.z.abs() < 0.999 { Vec3::Z } else { Vec3::Y * -forward.z.signum() };
+    let world_up = world_up(towards_camera);
     let right = forward.cross(world_up).normalize();
     let up = right.cross(forward);
     let tan_y = (FOV_Y.to_radians() * 0.5).tan() * (1.0 - MARGIN);

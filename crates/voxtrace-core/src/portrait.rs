@@ -1,10 +1,11 @@
-//! The view of a scene that brings no camera: its silhouette stands in the middle of the picture and fills most of it.
+//! The view of a scene that brings no camera, by perspective or by parallel rays: its silhouette stands in the middle of the picture and fills most of it.
 
 use crate::PackedScene;
-use crate::overview::{FOV_Y, TOWARDS_CAMERA};
+use crate::overview::{FOV_Y, TOWARDS_CAMERA, world_up};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use voxtrace_scene::Camera;
+use voxtrace_scene::camera::Lens;
 
 /// Share of the picture's width or height, whichever is tighter, that the silhouette spans.
 const FILL: f64 = 0.8;
@@ -37,6 +38,41 @@ impl PackedScene {
         // As deep as the middle of the scene.
         let target = place(eye.x, eye.y, (eye.z + 1.0).max(0.0));
         Camera { fov_y: FOV_Y, ..Camera::look_at(place(eye.x, eye.y, eye.z), target) }
+    }
+
+    /// A camera of parallel rays that stands as [`Self::portrait`] does, in front, to the right and above, and shows as much.
+    pub fn parallel_portrait(&self, aspect: f32) -> Camera {
+        self.parallel_portrait_from(TOWARDS_CAMERA, aspect)
+    }
+
+    /// A camera of parallel rays from the direction `towards_camera`, which is not zero, for a still picture of `aspect` = width / height: what is seen
+    /// of the scene spans 80 % of the picture's width or height, whichever is tighter, and stands in its middle. Up is as in
+    /// [`Self::overview_from`].
+    pub fn parallel_portrait_from(&self, towards_camera: Vec3, aspect: f32) -> Camera {
+        let forward = -towards_camera.as_dvec3().normalize();
+        let world_up = world_up(towards_camera);
+        let right = forward.cross(world_up.as_dvec3()).normalize();
+        let up = right.cross(forward);
+        let middle = self.bounds().map_or(Vec3::splat(0.5), |(min, max)| (min + max) * 0.5);
+        let seen = |point: &Vec3| {
+            let offset = (*point - middle).as_dvec3();
+            DVec3::new(offset.dot(right), offset.dot(up), offset.dot(forward))
+        };
+        let widest = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
+        let nothing = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let points = self.shape_points();
+        let (low, high) = match points.is_empty() {
+            // Of nothing it shows a voxel's place.
+            true => (DVec3::splat(-0.5), DVec3::splat(0.5)),
+            false => points.par_iter().map(seen).map(|at| (at, at)).reduce(nothing, widest),
+        };
+        let (span, at) = (high - low, (low + high) * 0.5);
+        let view_height = span.y.max(span.x / f64::from(aspect)) / FILL;
+        let target = middle + (right * at.x + up * at.y + forward * at.z).as_vec3();
+        // In front of all of it: rays begin at the camera.
+        let eye = target - (forward * (0.5 * span.z + view_height)).as_vec3();
+        let lens = Lens::Orthographic { view_height: view_height as f32 };
+        Camera { fov_y: FOV_Y, up: world_up, ..Camera::look_at(eye, target) }.with_lens(lens)
     }
 }
 
@@ -184,6 +220,38 @@ mod tests {
     }
 
     #[test]
+    fn parallel_rays_show_all_of_it_as_large_and_in_the_middle_too() {
+        let directions = [TOWARDS_CAMERA, Vec3::new(1.0, -1.0, 1.0), Vec3::X, Vec3::Z, Vec3::NEG_Z];
+        for (number, scene) in scenes().iter().enumerate() {
+            let packed = PackedScene::pack(scene).unwrap();
+            for (aspect, towards_camera) in
+                [1.75, 1.0, 0.6].into_iter().zip(directions).chain([1.0; 5].into_iter().zip(directions))
+            {
+                let camera = packed.parallel_portrait_from(towards_camera, aspect);
+                let Lens::Orthographic { view_height } = camera.lens else { panic!("{:?}", camera.lens) };
+                let axes = camera.axes();
+                assert!(axes.forward.abs_diff_eq(-towards_camera.normalize(), 1e-4), "{}", axes.forward);
+                let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+                for instance in &scene.instances {
+                    for (voxel, _) in scene.grids[instance.grid].voxels() {
+                        for corner in 0..8 {
+                            let pick = IVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);
+                            let offset = instance.world_from_grid.point((voxel + pick).as_vec3()) - camera.eye;
+                            assert!(offset.dot(axes.forward) > 0.0, "scene {number}: a voxel is behind the camera");
+                            let at =
+                                Vec2::new(offset.dot(axes.right) / aspect, offset.dot(axes.up)) * 2.0 / view_height;
+                            (low, high) = (low.min(at), high.max(at));
+                        }
+                    }
+                }
+                let span = (high - low) * 0.5;
+                assert!((span.max_element() - 0.8).abs() < 0.005, "scene {number}, {aspect}, {towards_camera}: {span}");
+                assert!((high + low).abs().max_element() < 0.005, "scene {number}, {aspect}: {low} {high}");
+            }
+        }
+    }
+
+    #[test]
     fn large_scenes_are_measured_by_their_bricks_to_a_percent() {
         let mut ball = VoxelGrid::new();
         ball.fill_sphere(DVec3::splat(0.5), 110.0, 0);
@@ -249,5 +317,6 @@ mod tests {
     fn nothing_at_all_has_a_view_too() {
         let packed = PackedScene::pack(&Scene::new("empty")).unwrap();
         assert_eq!(packed.portrait(1.5), packed.overview(1.5));
+        assert_eq!(packed.parallel_portrait(1.5).lens, Lens::Orthographic { view_height: 1.25 });
     }
 }

@@ -70,6 +70,36 @@ fn several_cameras_and_several_files_come_from_one_run() {
 }
 
 #[test]
+fn parallel_rays_show_all_of_a_scene_where_nothing_says_how_much() {
+    let folder = Folder::new();
+    let view = ["render", "room.vox", "--camera", "auto", "--transparent", "--spp", "4", "--size", "150x100"];
+    // Share of the picture's width and height that the room spans, and how far its middle is from the picture's.
+    let spans = |name: &str| {
+        let picture = folder.png(name);
+        let shown = |&(x, y): &(usize, usize)| *picture.pixel(x, y).last().unwrap() > 0;
+        let all = (0..picture.height).flat_map(|y| (0..picture.width).map(move |x| (x, y))).filter(shown);
+        let (mut low, mut high) = ((usize::MAX, usize::MAX), (0, 0));
+        all.for_each(|(x, y)| {
+            low = (low.0.min(x), low.1.min(y));
+            high = (high.0.max(x + 1), high.1.max(y + 1));
+        });
+        let share = |low: usize, high: usize, all: usize| (high as f32 - low as f32) / all as f32;
+        let aside = |low: usize, high: usize, all: usize| (low as f32 + high as f32 - all as f32).abs() / all as f32;
+        let (width, height) = (picture.width, picture.height);
+        let larger = share(low.0, high.0, width).max(share(low.1, high.1, height));
+        (larger, aside(low.0, high.0, width).max(aside(low.1, high.1, height)))
+    };
+    for projection in ["isometric", "orthographic"] {
+        folder.succeed(&[&view[..], &["--projection", projection, "-o", "all.png"]].concat());
+        let (larger, aside) = spans("all.png");
+        assert!((larger - 0.8).abs() < 0.03 && aside < 0.03, "{projection}: {larger}, {aside}");
+        // What is said is kept: a field of view of half as much does not show all.
+        folder.succeed(&[&view[..], &["--projection", projection, "--fov", "12", "-o", "part.png"]].concat());
+        assert!(spans("part.png").0 > 0.95, "{projection}");
+    }
+}
+
+#[test]
 fn a_turntable_writes_numbered_frames_that_a_second_machine_can_share() {
     let folder = Folder::new();
     let arguments = [&["render", "room.vox", "--turntable", "-o", "shot_####.png"], &SMALL[..]].concat();
