@@ -150,6 +150,33 @@ for name in ["siemens_dwi_0", "siemens_dwi_1000"]:
     (own / f"{name}.f32").write_bytes(values.tobytes())
     mosaics.append({"name": name, "size": list(values.shape[::-1]), "affine": wrapper.affine.tolist()})
 (folder / "mosaics.json").write_text(json.dumps(mosaics))
+# Segmentations by shares of 200: of one segment, and of two, whose frames lie at the same places.
+shares = random.integers(0, 201, (2, 3, 6, 8)).astype(np.uint8)
+for count in [1, 2]:
+    ds = dataset(ExplicitVRLittleEndian, shares[:count].reshape(-1, 6, 8), Modality="SEG", SegmentationType="FRACTIONAL", MaximumFractionalValue=200)
+    ds.PixelData = shares[:count].tobytes()
+    groups = []
+    for segment, z in [(segment, z) for segment in range(count) for z in range(3)]:
+        group, plane, place, identification = Dataset(), Dataset(), Dataset(), Dataset()
+        plane.ImageOrientationPatient, place.ImagePositionPatient = [1, 0, 0, 0, 1, 0], [0, 0, z]
+        identification.ReferencedSegmentNumber = segment + 1
+        group.PlaneOrientationSequence, group.PlanePositionSequence = [plane], [place]
+        group.SegmentIdentificationSequence = [identification]
+        groups.append(group)
+    ds.PerFrameFunctionalGroupsSequence = groups
+    ds.save_as(folder / f"shares_{count}.dcm", enforce_file_format=True)
+# A series whose tilt is written with digits that differ in the last place.
+(folder / "tilted").mkdir()
+series = generate_uid()
+for n, sine in enumerate([0.1234999, 0.1235001, 0.1234998, 0.1235002]):
+    cosine = (1 - sine * sine) ** 0.5
+    values = np.full((1, 6, 8), n, np.uint8)
+    ds = dataset(ExplicitVRLittleEndian, values, SeriesInstanceUID=series, InstanceNumber=n + 1)
+    ds.ImageOrientationPatient = [1, 0, 0, 0, round(cosine, 7), sine]
+    ds.ImagePositionPatient = [0, round(-n * sine, 7), round(n * cosine, 7)]
+    ds.PixelData = values.tobytes()
+    ds.save_as(folder / "tilted" / f"{n}.dcm", enforce_file_format=True)
+(folder / "shares.f32").write_bytes(shares.astype("<f4").tobytes())
 
 samples = []
 roots = [Path(data_store.__file__).parent, Path(pydicom.__file__).parent / "data", own]

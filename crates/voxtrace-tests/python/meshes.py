@@ -32,6 +32,13 @@ colored = mesh.copy()
 colored.visual = trimesh.visual.ColorVisuals(colored, vertex_colors=np.tile([200, 100, 50, 255], (len(mesh.vertices), 1)))
 colored.export(folder / "colored.ply")
 
+# A colour of each face: of the box others than of the torus.
+painted = mesh.copy()
+paints = np.where(np.arange(len(mesh.faces))[:, None] < len(torus.faces), [[200, 100, 50, 255]], [[40, 90, 220, 255]])
+painted.visual = trimesh.visual.ColorVisuals(painted, face_colors=paints.astype(np.uint8))
+painted.export(folder / "painted_binary.ply")
+painted.export(folder / "painted_text.ply", encoding="ascii")
+
 # A textured square of 4 x 4 texels, in every format that has textures.
 texels = np.zeros((4, 4, 3), np.uint8)
 texels[..., 0] = np.arange(4) * 60

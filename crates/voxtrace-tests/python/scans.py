@@ -15,6 +15,7 @@ import pydicom
 import pyproj
 import tifffile
 import zarr
+from laspy.vlrs.vlrlist import VLRList
 from PIL import Image
 from pydicom.dataset import FileDataset, FileMetaDataset
 from pydicom.encaps import encapsulate
@@ -47,6 +48,10 @@ for version, point_format in [("1.2", 3), ("1.4", 7)]:
     name = version.replace(".", "_")
     las.write(folder / f"points_{name}.las")
     las.write(folder / f"points_{name}.laz")
+# Once more with the reference system behind the points.
+las.evlrs = VLRList(header.vlrs.extract("WktCoordinateSystemVlr"))
+las.write(folder / "points_behind.las")
+las.write(folder / "points_behind.laz")
 
 # A lump in air: 15 columns, 12 rows, 9 slices, in the axes of DICOM (left, posterior, superior).
 size = (15, 12, 9)

@@ -130,6 +130,14 @@ names = "".join(f"layer{n + 1:02}.raw\n" for n in range(7))
 # pynrrd does not read those: the values are what was cut up above.
 for name in ["list.nhdr", "numbered.nhdr", "packed.nhdr"]:
     add(name, volume, spaced)
+# Time as the first axis, as 3D Slicer writes sequences.
+times = np.stack([volume, volume + 1, volume[::-1]])
+directions = np.vstack([[np.nan] * 3, np.diag([0.5, 0.75, 1.25])])
+header = {"space": "left-posterior-superior", "space directions": directions, "space origin": [0.0] * 3}
+for name, options in [("times.nrrd", {}), ("later.nrrd", {"time": 3})]:
+    nrrd.write(str(folder / name), times, {**header, "kinds": ["list", "domain", "domain", "domain"]})
+    found = nrrd.read(str(folder / name))[0]
+    add(name, found[options.get("time", 1) - 1], spaced, whole=True, **options)
 
 # NumPy: halves, and archives of arrays.
 half = random.normal(size=(5, 6, 7)).astype(np.float16)
@@ -151,6 +159,17 @@ for number in [2, 3]:
         zarr.create_array(store, shape=volume.T.shape, chunks=(3, 4, 5), dtype="i2", zarr_format=number)[:] = volume.T
     with zarr.storage.ZipStore(folder / f"store{number}.zarr.zip", mode="r") as store:
         add(f"store{number}.zarr.zip", zarr.open_array(store)[:].T)
+# Packed numbers and names of axes, as xarray writes them after the conventions of netCDF.
+scale, offset = 0.25, 273.15
+attributes = {"scale_factor": scale, "add_offset": offset, "valid_max": float("nan")}
+names = ["time", "height", "lat", "lon"]
+both = np.stack([volume.T, volume.T + 1])
+for number, more in [(2, {"attributes": {**attributes, "_ARRAY_DIMENSIONS": names}}), (3, {"attributes": attributes, "dimension_names": names})]:
+    array = zarr.create_array(folder / f"scaled{number}.zarr", data=both, chunks=(1, 3, 4, 5), zarr_format=number, **more)
+    add(f"scaled{number}.zarr", array[1].T * scale + offset, tolerance=1e-4, time=2)
+# Of pictures in time each is one.
+pictures = zarr.create_array(folder / "pictures.zarr", data=volume.T, chunks=(2, 3, 4), zarr_format=3, dimension_names=["time", "lat", "lon"])
+add("pictures.zarr", pictures[2].T[:, :, None], time=3, whole=True)
 shutil.make_archive(str(folder / "outer"), "zip", folder, "half3.zarr")
 add("outer.zip", half.T)
 

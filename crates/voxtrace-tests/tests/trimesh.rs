@@ -74,6 +74,21 @@ fn colours_of_vertices_are_those_that_trimesh_wrote() {
 }
 
 #[test]
+fn colours_of_faces_are_those_that_trimesh_wrote() {
+    let Some(folder) = WRITTEN.folder() else { return };
+    for name in ["painted_binary.ply", "painted_text.ply"] {
+        let scene = open(&folder.join(name), Scale::Resolution(60));
+        let found = colors(&scene);
+        // Along y the torus takes the first 52 voxels, and the box those from 55 on.
+        let first = found.iter().map(|(voxel, _)| voxel.y).min().unwrap();
+        let is_box = |voxel: &IVec3| voxel.y - first > 53;
+        let wanted = |voxel: &IVec3| if is_box(voxel) { [40, 90, 220] } else { [200, 100, 50] };
+        assert!(found.iter().any(|(voxel, _)| is_box(voxel)), "{name}");
+        assert!(found.iter().all(|(voxel, color)| *color == wanted(voxel)), "{name}");
+    }
+}
+
+#[test]
 fn texels_of_a_square_are_where_trimesh_put_them() {
     let Some(folder) = WRITTEN.folder() else { return };
     for name in ["square.glb", "square.obj"] {

@@ -140,6 +140,31 @@ fn mosaics_of_siemens_are_the_slices_of_nibabel_at_its_places() {
     }
 }
 
+#[test]
+fn a_series_whose_directions_differ_in_their_last_digits_is_one_stack() {
+    let Some(folder) = WRITTEN.folder() else { return };
+    for path in ["tilted", "tilted/2.dcm"] {
+        let volume = import::read_volume(&folder.join(path), &ImportOptions::default()).unwrap();
+        assert_eq!((volume.size, volume.notes.len()), ([8, 6, 4], 0), "{path}: {:?}", volume.notes);
+        assert!((0..4).all(|z| volume.values[48 * z] == z as f32), "{path}");
+    }
+}
+
+#[test]
+fn shares_of_one_segment_are_values_and_those_of_several_become_labels() {
+    let Some(folder) = WRITTEN.folder() else { return };
+    let shares = floats(&folder.join("shares.f32"));
+    let read = |name: &str| import::read_volume(&folder.join(name), &ImportOptions::default()).unwrap();
+    let (one, two) = (read("shares_1.dcm"), read("shares_2.dcm"));
+    let (first, second) = shares.split_at(shares.len() / 2);
+    assert_eq!((one.size, one.is_labels, one.values == first), ([8, 6, 3], false, true));
+    let half = |share: f32| share >= 100.0;
+    let label = |(&first, &second): (&f32, &f32)| if half(second) { 2.0 } else { f32::from(u8::from(half(first))) };
+    let labels: Vec<f32> = first.iter().zip(second).map(label).collect();
+    assert_eq!((two.size, two.is_labels, two.values == labels), ([8, 6, 3], true, true));
+    assert!(two.notes.iter().any(|note| note.contains("belong to several segments")), "{:?}", two.notes);
+}
+
 fn floats(path: &Path) -> Vec<f32> {
     std::fs::read(path).unwrap().as_chunks().0.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect()
 }

@@ -141,7 +141,15 @@ fn cloud(path: &Path) -> PointCloud {
 fn the_points_of_laspy_have_the_same_voxels_as_las_and_laz_and_keep_their_place_on_earth() {
     let Some(folder) = WRITTEN.folder() else { return };
     let mut first = None;
-    for name in ["points_1_2.las", "points_1_2.laz", "points_1_4.las", "points_1_4.laz"] {
+    let names = [
+        "points_1_2.las",
+        "points_1_2.laz",
+        "points_1_4.las",
+        "points_1_4.laz",
+        "points_behind.las",
+        "points_behind.laz",
+    ];
+    for name in names {
         let cloud = cloud(&folder.join(name));
         assert_eq!((cloud.positions.len(), cloud.colors.len(), cloud.classes.len()), (2000, 2000, 2000), "{name}");
         let options = VoxelizeOptions { scale: Scale::VoxelSize(0.5), ..VoxelizeOptions::default() };
@@ -153,7 +161,7 @@ fn the_points_of_laspy_have_the_same_voxels_as_las_and_laz_and_keep_their_place_
         let place = scene.georeference.unwrap();
         let origin = place.coordinates_from_world.translation;
         assert_eq!(origin, DVec3::new(691_000.0, 5_335_000.0, 500.0), "{name}");
-        // GeoTIFF keys in the older version, WKT in the newer.
+        // GeoTIFF keys in the older version, WKT in the newer, also behind the points.
         let expected = if name.contains("1_2") { "EPSG:32632" } else { "WGS 84 / UTM zone 32N" };
         assert_eq!(place.crs_name(), expected, "{name}: {}", place.crs);
     }

@@ -36,6 +36,8 @@ fn first_bytes_come_before_the_extension() {
         (b"1 2 3\n4 5 6\n", "a", Some("XYZ")),
         (b"ncols 4\nnrows 3\n", "a.asc", Some("heightmap")),
         (b"NCOLS 4\nNROWS 3\n", "a.xyz", Some("heightmap")),
+        (b"\xef\xbb\xbfncols 4\nnrows 3\n", "a.asc", Some("heightmap")),
+        (b"\xef\xbb\xbf1 2 3", "a.asc", Some("XYZ")),
         (b"OFF\n8 6 0\n", "a.off", None),
         (b"Kvxl\x05\0\0\0", "a", Some("Voxlap")),
         (b"GOX \x02\0\0\0", "a.vox", Some("Goxel")),

@@ -222,7 +222,8 @@ fn a_grid_has_holes_where_nobody_says_how_they_are_marked_and_cells_that_are_no_
     let text = "ncols 2\nnrows 2\nxllcorner 100\nyllcorner 200\ndx 2\ndy 8\n5 -9999\n5 6\n";
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.asc");
-    fs::write(&path, text).unwrap();
+    // Some programs mark a text as UTF-8.
+    fs::write(&path, format!("\u{feff}{text}")).unwrap();
     let Data::Voxels(found) = import::read(&path, &ImportOptions::default()).unwrap() else { panic!() };
     assert_eq!(found.scene.voxel_size, 4.0);
     assert!(found.notes[0].contains("cells of 2 by 8 are taken for squares"), "{:?}", found.notes);

@@ -37,6 +37,9 @@ enum Look {
     /// Bytes that are written as floating-point numbers.
     Floats,
     Texture,
+    /// Of faces instead of vertices.
+    FaceColors,
+    FaceTexture,
 }
 
 /// A binary PLY file, big endian where there is an alpha channel.
@@ -45,7 +48,7 @@ fn ply(folder: &Path, look: Look) -> PathBuf {
     let is_big = look == Look::Alpha;
     let order = if is_big { "big" } else { "little" };
     let mut head = format!("ply\nformat binary_{order}_endian 1.0\n");
-    if look == Look::Texture {
+    if matches!(look, Look::Texture | Look::FaceTexture) {
         head += "comment TextureFile picture.png\n";
         let mut encoder = png::Encoder::new(std::fs::File::create(folder.join("picture.png")).unwrap(), 64, 64);
         encoder.set_color(png::ColorType::Rgb);
@@ -55,17 +58,20 @@ fn ply(folder: &Path, look: Look) -> PathBuf {
     // More than a block of the cache of vertices.
     head += &format!("element vertex {}\nproperty float x\nproperty float y\nproperty double z\n", corners.len());
     head += match look {
-        Look::Plain => "",
+        Look::Plain | Look::FaceColors | Look::FaceTexture => "",
         Look::Colors => "property uchar red\nproperty uchar green\nproperty uchar blue\n",
         Look::Alpha => "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n",
         Look::Floats => "property float red\nproperty float green\nproperty float blue\n",
         Look::Texture => "property float s\nproperty float t\n",
     };
     head += "element thing 2\nproperty list uchar short parts\n";
-    head += &format!(
-        "element face {}\nproperty int number\nproperty list uchar uint vertex_indices\nend_header\n",
-        faces.len()
-    );
+    head += &format!("element face {}\nproperty int number\nproperty list uchar uint vertex_indices\n", faces.len());
+    head += match look {
+        Look::FaceColors => "property uchar red\nproperty ushort green\nproperty uchar blue\n",
+        Look::FaceTexture => "property list uchar float texcoord\n",
+        _ => "",
+    };
+    head += "end_header\n";
     let mut bytes = head.into_bytes();
     let mut put = |value: &[u8]| {
         if is_big { bytes.extend(value.iter().rev()) } else { bytes.extend(value) }
@@ -77,7 +83,7 @@ fn ply(folder: &Path, look: Look) -> PathBuf {
         put(&f64::from(corner.z).to_le_bytes());
         let byte = |value: f32| [(value * 4.0 + 128.0) as u8];
         match look {
-            Look::Plain => {}
+            Look::Plain | Look::FaceColors | Look::FaceTexture => {}
             Look::Colors | Look::Alpha => {
                 corner.to_array().iter().for_each(|&value| put(&byte(value)));
                 if look == Look::Alpha {
@@ -98,23 +104,40 @@ fn ply(folder: &Path, look: Look) -> PathBuf {
         put(&9i32.to_le_bytes());
         put(&[face.len() as u8]);
         face.iter().for_each(|corner| put(&corner.to_le_bytes()));
+        let middle = corners[face[0] as usize];
+        match look {
+            Look::FaceColors => {
+                put(&[(middle.x * 4.0 + 128.0) as u8]);
+                put(&((middle.y * 900.0 + 32_768.0) as u16).to_le_bytes());
+                put(&[200]);
+            }
+            Look::FaceTexture => {
+                put(&[2 * face.len() as u8]);
+                let places =
+                    face.iter().map(|&at| corners[at as usize]).flat_map(|corner| [corner.x, corner.z - middle.y]);
+                places.for_each(|value| put(&(value / 20.0).to_le_bytes()));
+            }
+            _ => {}
+        }
     }
     let path = folder.join("ball.ply");
     std::fs::write(&path, bytes).unwrap();
     path
 }
 
-fn stl(folder: &Path) -> PathBuf {
+/// A binary STL file, with colours as VisCAM writes them, but for the first triangles, or without.
+fn stl(folder: &Path, is_colored: bool) -> PathBuf {
     let (corners, faces) = ball(60);
     let triangles: Vec<[u32; 3]> = faces.iter().flat_map(|f| (2..f.len()).map(|i| [f[0], f[i - 1], f[i]])).collect();
     let mut bytes = vec![b' '; 80];
     bytes.extend((triangles.len() as u32).to_le_bytes());
-    for triangle in triangles {
+    for (number, triangle) in triangles.into_iter().enumerate() {
         bytes.extend([0; 12]);
         bytes.extend(triangle.iter().flat_map(|&at| corners[at as usize].to_array()).flat_map(f32::to_le_bytes));
-        bytes.extend([0; 2]);
+        let color = if is_colored && number > 700 { 0x8000 | number as u16 } else { 0 };
+        bytes.extend(color.to_le_bytes());
     }
-    let path = folder.join("ball.stl");
+    let path = folder.join(if is_colored { "colored.stl" } else { "ball.stl" });
     std::fs::write(&path, bytes).unwrap();
     path
 }
@@ -134,14 +157,15 @@ fn open(path: &Path, import: &ImportOptions) -> LargeGeometry {
 #[test]
 fn a_mesh_that_stays_in_its_file_gives_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
-    let looks = [Look::Plain, Look::Colors, Look::Alpha, Look::Floats, Look::Texture];
+    let looks =
+        [Look::Plain, Look::Colors, Look::Alpha, Look::Floats, Look::Texture, Look::FaceColors, Look::FaceTexture];
     let mut files: Vec<PathBuf> = Vec::new();
     for look in looks {
         let own = folder.path().join((look as u8).to_string());
         std::fs::create_dir(&own).unwrap();
         files.push(ply(&own, look));
     }
-    files.push(stl(folder.path()));
+    files.extend([false, true].map(|is_colored| stl(folder.path(), is_colored)));
     for path in files {
         for (rule, scale, up) in [
             (SurfaceRule::Conservative, Scale::Resolution(250), None),
@@ -214,7 +238,7 @@ fn a_file_that_ends_early_or_names_corners_that_are_not_there_is_refused() {
 #[test]
 fn a_survey_and_the_work_can_be_stopped() {
     let folder = tempfile::tempdir().unwrap();
-    let path = stl(folder.path());
+    let path = stl(folder.path(), false);
     let progress = VoxelizeProgress::default();
     progress.cancel();
     let mut large = open(&path, &ImportOptions::default());
@@ -318,7 +342,7 @@ fn work_that_was_stopped_goes_on_and_ends_with_the_same_bytes() {
 fn a_part_file_with_a_bent_brick_changes_nothing() {
     // What is checked is the work's own sum over each batch, so that a bent brick is done again and not drawn.
     let folder = tempfile::tempdir().unwrap();
-    let path = stl(folder.path());
+    let path = stl(folder.path(), false);
     let options =
         VoxelizeOptions { scale: Scale::Resolution(500), memory_budget: Some(1), ..VoxelizeOptions::default() };
     let import = ImportOptions::default();

@@ -197,6 +197,15 @@ fn a_gltf_that_names_files_outside_its_folder_is_refused() {
 }
 
 #[test]
+fn a_gltf_behind_the_mark_of_a_text_is_the_same() {
+    let marked = [b"\xef\xbb\xbf", &mesh_samples::gltf()[..]].concat();
+    let read = |bytes: &[u8]| voxels(&scene_from("a.gltf", bytes, &options(8)).unwrap());
+    assert_eq!(read(&marked), read(&mesh_samples::gltf()));
+    let error = scene_from("a.gltf", b"\xef\xbb\xbf[]", &options(8)).unwrap_err();
+    assert!(error.offset.is_some_and(|offset| (3..=5).contains(&offset)), "{error}");
+}
+
+#[test]
 fn a_gltf_that_wants_what_is_not_read_names_the_extension() {
     let text = String::from_utf8(mesh_samples::gltf()).unwrap();
     for name in ["KHR_texture_basisu", "VENDOR_whatever"] {

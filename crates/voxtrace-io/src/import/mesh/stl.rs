@@ -1,11 +1,13 @@
-//! STL, the format of triangles alone, as text and as binary (3D Systems, "StereoLithography Interface Specification", 1988).
+//! STL, the format of triangles alone, as text and as binary (3D Systems, "StereoLithography Interface Specification", 1988); of binary files
+//! the colours too that VisCAM and SolidView, or Materialise Magics, put where the attribute of a triangle was meant to be.
 
 use crate::import::reader::{Geometry, Kind, LargeContent, Reader, Recognition};
-use crate::import::source::input::Input;
-use glam::Vec3;
+use crate::import::source::input::{Input, without_mark};
+use glam::{Vec3, Vec4};
 use std::path::{Path, PathBuf};
-use voxtrace_voxelize::mesh::Mesh;
+use voxtrace_scene::material::{linear_color, srgb_from_linear};
 use voxtrace_voxelize::mesh::source::{SourceColors, TriangleSource};
+use voxtrace_voxelize::mesh::{Mesh, MeshMaterial};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What the table of readers has of this format.
@@ -47,7 +49,7 @@ fn read(mut input: Input, limits: &Limits) -> Result<Mesh, ImportError> {
 
 /// Whether a file without an extension begins as one of text does.
 fn begins(head: &[u8]) -> bool {
-    let head = head.trim_ascii_start();
+    let head = without_mark(head).trim_ascii_start();
     head.starts_with(b"solid") && head.windows(5).any(|word| word == b"facet")
 }
 
@@ -59,27 +61,59 @@ fn is_text(input: &mut Input) -> Result<bool, ImportError> {
     let fits = |(count, total): (u32, u64)| HEADER as u64 + RECORD as u64 * u64::from(count) == total;
     let fits = count.zip(total).is_some_and(fits);
     // A length that is unknown, or that bytes behind the triangles add to, says nothing; but the count of a binary file has a zero byte.
-    Ok(head.trim_ascii_start().starts_with(b"solid") && !fits && !head.contains(&0))
+    Ok(without_mark(head).trim_ascii_start().starts_with(b"solid") && !fits && !head.contains(&0))
 }
 
 fn read_binary(input: &mut Input, limits: &Limits, mesh: &mut Mesh) -> Result<(), ImportError> {
-    let mut left = announced(input, limits)?;
+    let (mut left, paint) = announced(input, limits)?;
     if input.remaining().is_some() {
         mesh.positions.reserve_exact(left * 3);
     }
     while left > 0 {
         let now = left.min(CHUNK);
-        take_triangles(input, now, mesh)?;
+        take_triangles(input, now, paint, mesh)?;
         left -= now;
+    }
+    if !mesh.colors.is_empty() {
+        mesh.materials[0].base_color = Vec4::ONE;
     }
     Ok(())
 }
 
-/// Takes the header of a binary file and says how many triangles it announces, which are there.
-fn announced(input: &mut Input, limits: &Limits) -> Result<usize, ImportError> {
+/// What the attributes of triangles say about colours.
+#[derive(Clone, Copy)]
+enum Paint {
+    /// Red, green and blue from the 10th, the 5th and the lowest bit on, where the highest one is set.
+    VisCam,
+    /// Red, green and blue from the lowest, the 5th and the 10th bit on. Where the highest one is set, the header says the colour; since some
+    /// programs (VCGlib) set it always, only where all the others are alike.
+    Magics([u8; 3]),
+}
+
+impl Paint {
+    fn of(header: &[u8]) -> Self {
+        let at = header.windows(6).position(|word| word == b"COLOR=");
+        let color = at.and_then(|at| header[at + 6..].first_chunk());
+        color.map_or(Self::VisCam, |&color| Self::Magics(color))
+    }
+
+    /// sRGB, `None` where the triangle has no colour of its own.
+    fn color(self, attribute: u16) -> Option<[u8; 3]> {
+        let channels = [10, 5, 0].map(|shift| ((attribute >> shift & 31) * 255 / 31) as u8);
+        match (self, attribute >> 15) {
+            (Self::VisCam, 0) => None,
+            (Self::VisCam, _) => Some(channels),
+            (Self::Magics(color), 1) if matches!(attribute & 0x7fff, 0 | 0x7fff) => Some(color),
+            (Self::Magics(_), _) => Some([channels[2], channels[1], channels[0]]),
+        }
+    }
+}
+
+/// Takes the header of a binary file and says how many triangles it announces, which are there, and how they are coloured.
+fn announced(input: &mut Input, limits: &Limits) -> Result<(usize, Paint), ImportError> {
     let path = input.path();
     let head = input.take(HEADER, "the header of a binary STL file")?;
-    let count = u32::from_le_bytes([head[80], head[81], head[82], head[83]]);
+    let (count, paint) = (u32::from_le_bytes([head[80], head[81], head[82], head[83]]), Paint::of(&head[..80]));
     if u64::from(count) * 3 > limits.points {
         return Err(ImportError::limit(path, Some(80), "corners", u64::from(count) * 3, limits.points));
     }
@@ -87,12 +121,17 @@ fn announced(input: &mut Input, limits: &Limits) -> Result<usize, ImportError> {
         let end = input.offset() + input.remaining().unwrap_or(0);
         return Err(ImportError::truncated(path, end, format!("the {count} triangles that the header announces")));
     }
-    Ok(count as usize)
+    Ok((count as usize, paint))
 }
 
-/// Takes triangles of a binary file.
-fn take_triangles(input: &mut Input, count: usize, mesh: &mut Mesh) -> Result<(), ImportError> {
-    let (path, start) = (input.path(), input.offset());
+/// The colour of triangles without one beside others that have one.
+fn plain() -> Vec4 {
+    linear_color(MeshMaterial::default().base_color.truncate().to_array().map(srgb_from_linear)).extend(1.0)
+}
+
+/// Takes triangles of a binary file. Colours begin with the first triangle that has one.
+fn take_triangles(input: &mut Input, count: usize, paint: Paint, mesh: &mut Mesh) -> Result<(), ImportError> {
+    let (path, start, plain) = (input.path(), input.offset(), plain());
     let records = input.take(count * RECORD, "a triangle")?;
     for (index, record) in records.chunks_exact(RECORD).enumerate() {
         for corner in record[12..48].chunks_exact(12) {
@@ -104,6 +143,11 @@ fn take_triangles(input: &mut Input, count: usize, mesh: &mut Mesh) -> Result<()
             }
             mesh.positions.push(corner);
         }
+        let color = paint.color(u16::from_le_bytes([record[48], record[49]]));
+        if color.is_some() || !mesh.colors.is_empty() {
+            mesh.colors.resize(mesh.positions.len() - 3, plain);
+            mesh.colors.extend([color.map_or(plain, |color| linear_color(color).extend(1.0)); 3]);
+        }
     }
     Ok(())
 }
@@ -112,6 +156,7 @@ fn take_triangles(input: &mut Input, count: usize, mesh: &mut Mesh) -> Result<()
 struct StlTriangles {
     path: PathBuf,
     count: usize,
+    is_colored: bool,
     frame: Mesh,
 }
 
@@ -122,13 +167,25 @@ impl StlTriangles {
         if input.remaining().is_none() || is_text(&mut input)? {
             return Ok(None);
         }
-        let count = announced(&mut input, &UNBOUNDED)?;
-        Ok((count > 0).then(|| Self { path: path.into(), count, frame: Mesh::new("") }))
+        let (count, paint) = announced(&mut input, &UNBOUNDED)?;
+        let (mut left, mut is_colored) = (count, false);
+        while left > 0 && !is_colored {
+            let now = left.min(CHUNK);
+            let records = input.take(now * RECORD, "a triangle")?;
+            let color = |record: &[u8]| paint.color(u16::from_le_bytes([record[48], record[49]]));
+            is_colored = records.chunks_exact(RECORD).any(|record| color(record).is_some());
+            left -= now;
+        }
+        let mut frame = Mesh::new("");
+        if is_colored {
+            frame.materials[0].base_color = Vec4::ONE;
+        }
+        Ok((count > 0).then(|| Self { path: path.into(), count, is_colored, frame }))
     }
 
     /// Bytes that the mesh would take in memory.
     pub fn size_bytes(&self) -> u64 {
-        self.count as u64 * 36
+        self.count as u64 * if self.is_colored { 84 } else { 36 }
     }
 }
 
@@ -145,7 +202,7 @@ impl TriangleSource for StlTriangles {
     }
 
     fn colors(&self) -> SourceColors {
-        SourceColors::None
+        if self.is_colored { SourceColors::Bytes } else { SourceColors::None }
     }
 
     fn has_uvs(&self) -> bool {
@@ -156,12 +213,15 @@ impl TriangleSource for StlTriangles {
 
     fn for_each(&mut self, each: &mut dyn FnMut(&Mesh) -> bool) -> Result<(), ImportError> {
         let mut input = Input::open(&self.path, &UNBOUNDED)?;
-        let mut left = announced(&mut input, &UNBOUNDED)?;
+        let (mut left, paint) = announced(&mut input, &UNBOUNDED)?;
         let mut piece = self.frame.clone();
         while left > 0 {
             let now = left.min(8 * CHUNK);
             piece.clear();
-            take_triangles(&mut input, now, &mut piece)?;
+            take_triangles(&mut input, now, paint, &mut piece)?;
+            if self.is_colored && piece.colors.is_empty() {
+                piece.colors.resize(piece.positions.len(), plain());
+            }
             left -= now;
             if !each(&piece) {
                 break;
@@ -241,6 +301,7 @@ mod tests {
         let text = "solid a name\r\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   VERTEX 1.5e0 0 0\n\
                     \tvertex 0 2 -1e-3\n  endloop\n endfacet\nendsolid";
         assert_eq!(read_bytes(text.as_bytes()).unwrap().positions, CORNERS);
+        assert_eq!(read_bytes(format!("\u{feff}{text}").as_bytes()).unwrap().positions, CORNERS);
         assert_eq!(read_bytes(&binary(b"any text", &CORNERS)).unwrap().positions, CORNERS);
         assert_eq!(read_bytes(&binary(b"solid that is binary", &CORNERS)).unwrap().positions, CORNERS);
     }
@@ -254,6 +315,44 @@ mod tests {
         assert_eq!(read_bytes(&[&bytes[..], b"\n"].concat()).unwrap().positions, CORNERS, "bytes behind it");
         let error = read_bytes(&bytes[..100]).unwrap_err();
         assert!(matches!(error.kind, ImportErrorKind::Truncated(_)), "{error}");
+    }
+
+    #[test]
+    fn attributes_of_triangles_are_colours_as_their_programs_write_them() {
+        let all = [CORNERS; 3].concat();
+        let with = |header: &[u8], attributes: [u16; 3]| {
+            let mut bytes = binary(header, &all);
+            for (record, attribute) in bytes[HEADER..].chunks_exact_mut(RECORD).zip(attributes) {
+                record[48..].copy_from_slice(&attribute.to_le_bytes());
+            }
+            bytes
+        };
+        let (plain, blue, red) = (plain(), Vec4::new(0.0, 0.0, 1.0, 1.0), Vec4::new(1.0, 0.0, 0.0, 1.0));
+        let header = linear_color([1, 2, 3]).extend(1.0);
+        let magics = b"a program COLOR=\x01\x02\x03\xff";
+        let cases: [(&[u8], [u16; 3], [Vec4; 3]); 3] = [
+            (b"", [0, 0x801f, 0xfc00], [plain, blue, red]),
+            (magics, [0x001f, 0x7c00, 0xffff], [red, blue, header]),
+            (magics, [0x801f, 0xfc00, 0x8000], [red, blue, header]),
+        ];
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.stl");
+        for (name, attributes, expected) in cases {
+            let bytes = with(name, attributes);
+            let mesh = read_bytes(&bytes).unwrap();
+            assert_eq!(mesh.colors, expected.map(|color| [color; 3]).concat(), "{attributes:x?}");
+            assert_eq!(mesh.materials[0].base_color, Vec4::ONE);
+            std::fs::write(&path, bytes).unwrap();
+            let mut large = StlTriangles::open(&path).unwrap().unwrap();
+            assert_eq!(
+                (large.colors(), large.frame().materials.clone()),
+                (SourceColors::Bytes, mesh.materials.clone())
+            );
+            large.for_each(&mut |piece| piece.colors == mesh.colors || panic!("{:?}", piece.colors)).unwrap();
+        }
+        // Without the bit of VisCAM they are something else.
+        let mesh = read_bytes(&with(b"", [1, 2, 3])).unwrap();
+        assert_eq!((mesh.colors.len(), mesh.materials), (0, Mesh::new("").materials));
     }
 
     #[test]

@@ -150,6 +150,9 @@ fn state(tag: &Tag) -> State {
         state.name = state.name.replace("torch", "wall_torch");
         state = state.with("facing", opposite(torch));
     }
+    if let Some(rotation) = number("ground_sign_direction") {
+        state = state.with("rotation", rotation);
+    }
     if let Some(level) = number("liquid_depth") {
         state = state.with("level", level);
     }
@@ -265,6 +268,11 @@ fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
         "wooden_pressure_plate" => "oak_pressure_plate",
         "standing_sign" => "oak_sign",
         "wall_sign" => "oak_wall_sign",
+        "darkoak_standing_sign" => "dark_oak_sign",
+        "darkoak_wall_sign" => "dark_oak_wall_sign",
+        // Their colours lie with what chests hold.
+        "standing_banner" => "white_banner",
+        "wall_banner" => "white_wall_banner",
         "stone_stairs" => "cobblestone_stairs",
         "normal_stone_stairs" => "stone_stairs",
         "lit_pumpkin" => "jack_o_lantern",
@@ -290,11 +298,27 @@ fn renamed<'a>(name: &str, text: &dyn Fn(&str) -> Option<&'a str>) -> String {
         "unpowered_comparator" | "powered_comparator" => "comparator",
         "unlit_redstone_torch" => "redstone_torch",
         "trip_wire" | "tripWire" => "tripwire",
+        "beetroot" => "beetroots",
+        "azalea_leaves_flowered" => "flowering_azalea_leaves",
+        "cave_vines_body_with_berries" | "cave_vines_head_with_berries" => "cave_vines",
+        "dirt_with_roots" => "rooted_dirt",
+        "daylight_detector_inverted" => "daylight_detector",
+        "frame" | "glow_frame" => "item_frame",
+        "frog_spawn" => "frogspawn",
+        "moving_block" => "moving_piston",
+        "piston_arm_collision" | "sticky_piston_arm_collision" => "piston_head",
+        "silver_glazed_terracotta" => "light_gray_glazed_terracotta",
+        "normal_stone_slab" => "stone_slab",
         // Nobody sees these: the light of that edition has had a name for each of its levels since 1.21.
         "invisible_bedrock" => "barrier",
         light if light == "light_block" || light.starts_with("light_block_") => "light",
-        other => other.strip_prefix("lit_").unwrap_or(other),
+        // Those of the Education edition.
+        torch if torch == "underwater_torch" || torch.starts_with("colored_torch") => "torch",
+        other => ["lit_", "hard_", "underwater_"].iter().find_map(|start| other.strip_prefix(start)).unwrap_or(other),
     };
+    if let Some(wood) = plain.strip_suffix("_standing_sign") {
+        return format!("{wood}_sign");
+    }
     if let Some(kind) = by_kind(name, text) {
         return kind;
     }
@@ -397,6 +421,32 @@ mod tests {
             let look = super::super::blocks::block(java, false);
             assert!(matches!(look, super::super::blocks::Block::Known(_)), "{java}");
         }
+    }
+
+    #[test]
+    fn names_that_only_that_edition_has_are_those_of_known_blocks() {
+        for (name, java) in [
+            ("spruce_standing_sign", "spruce_sign"),
+            ("darkoak_standing_sign", "dark_oak_sign"),
+            ("darkoak_wall_sign", "dark_oak_wall_sign"),
+            ("standing_banner", "white_banner"),
+            ("wall_banner", "white_wall_banner"),
+            ("silver_glazed_terracotta", "light_gray_glazed_terracotta"),
+            ("normal_stone_slab", "stone_slab"),
+            ("dirt_with_roots", "rooted_dirt"),
+            ("azalea_leaves_flowered", "flowering_azalea_leaves"),
+            ("frame", "item_frame"),
+            ("beetroot", "beetroots"),
+            ("sticky_piston_arm_collision", "piston_head"),
+            ("hard_red_stained_glass_pane", "red_stained_glass_pane"),
+            ("colored_torch_blue", "torch"),
+            ("underwater_tnt", "tnt"),
+        ] {
+            assert_eq!(of(name, &[]).name, java, "{name}");
+            let look = super::super::blocks::block(java, false);
+            assert!(matches!(look, super::super::blocks::Block::Known(_)), "{java}");
+        }
+        assert_eq!(of("acacia_standing_sign", &[("ground_sign_direction", 6)]).number("rotation", 0), 6);
     }
 
     #[test]

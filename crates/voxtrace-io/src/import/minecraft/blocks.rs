@@ -188,11 +188,7 @@ pub(super) fn block(name: &str, is_lit: bool) -> Block {
         Kind::Glass
     } else if name.contains("water") || name == "bubble_column" {
         Kind::Water
-    } else if ["iron_", "gold_", "copper", "netherite_block", "chain", "anvil"]
-        .iter()
-        .any(|metal| name.starts_with(metal))
-        && !name.ends_with("_ore")
-    {
+    } else if is_metal(name) {
         Kind::Metal
     } else {
         Kind::Plain
@@ -201,6 +197,14 @@ pub(super) fn block(name: &str, is_lit: bool) -> Block {
         Some(color) => Block::Known(Look { color, kind, light }),
         None => Block::Unknown(Look { color: color_of_letters(name), kind, light }),
     }
+}
+
+/// Whether a block is of metal, copper of any age.
+fn is_metal(name: &str) -> bool {
+    let is_named = ["iron_", "gold_", "netherite_block", "chain"].iter().any(|metal| name.starts_with(metal))
+        || ["anvil", "lightning_rod"].iter().any(|metal| name.ends_with(metal))
+        || name.contains("copper");
+    is_named && !name.ends_with("_ore") && !name.starts_with("raw_") && name != "chain_command_block"
 }
 
 fn color(name: &str) -> Option<u32> {
@@ -351,7 +355,45 @@ mod tests {
         assert!(matches!(block("waxed_oxidized_copper_bulb", true), Block::Known(Look { light: 15, .. })));
         assert!(look("white_stained_glass_pane").material(1.0).transmission > 0.5);
         assert!(look("water").material(1.0).transmission > 0.5 && look("stone").material(1.0).transmission == 0.0);
-        assert!(look("iron_block").material(1.0).metallic == 1.0 && look("iron_ore").material(1.0).metallic == 0.0);
+    }
+
+    #[test]
+    fn metals_are_metallic_and_copper_is_so_waxed_cut_and_at_any_age() {
+        for metal in [
+            "iron_block",
+            "gold_block",
+            "chain",
+            "iron_chain",
+            "damaged_anvil",
+            "copper_block",
+            "cut_copper_stairs",
+            "chiseled_copper",
+            "waxed_copper_block",
+            "waxed_weathered_cut_copper_slab",
+            "exposed_copper_grate",
+            "oxidized_copper",
+            "waxed_oxidized_lightning_rod",
+        ] {
+            assert_eq!(look(metal).material(1.0).metallic, 1.0, "{metal}");
+        }
+        for other in ["iron_ore", "deepslate_copper_ore", "raw_copper_block", "raw_iron_block", "chain_command_block"] {
+            assert_eq!(look(other).material(1.0).metallic, 0.0, "{other}");
+        }
+    }
+
+    #[test]
+    fn blocks_of_the_newest_versions_have_colours() {
+        for (made, of) in [
+            ("polished_cinnabar_stairs", "cinnabar"),
+            ("cinnabar_brick_wall", "cinnabar_bricks"),
+            ("sulfur_brick_slab", "sulfur_bricks"),
+            ("poplar_stairs", "poplar_planks"),
+            ("stripped_poplar_wood", "stripped_poplar_log"),
+        ] {
+            assert_eq!(look(made).color, look(of).color, "{made}");
+        }
+        assert_ne!(look("red_poplar_leaves").color, look("yellow_poplar_leaves").color);
+        assert_ne!(look("poplar_log").color, look("poplar_planks").color);
     }
 
     #[test]

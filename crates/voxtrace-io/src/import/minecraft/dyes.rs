@@ -21,7 +21,7 @@ pub(super) const DYES: [(&str, [u32; 3]); 16] = [
 ];
 
 /// The woods: name, and the colours of bark, planks and leaves.
-pub(super) const WOODS: [(&str, [u32; 3]); 12] = [
+pub(super) const WOODS: [(&str, [u32; 3]); 13] = [
     ("dark_oak", [0x3c2e1a, 0x422b14, 0x3d6b1f]),
     ("pale_oak", [0x585049, 0xe3d9d7, 0x747a70]),
     ("oak", [0x6d5532, 0xa2834f, 0x4a7a28]),
@@ -34,4 +34,5 @@ pub(super) const WOODS: [(&str, [u32; 3]); 12] = [
     ("bamboo", [0x7f903a, 0xc1ad50, 0x6a8f2a]),
     ("crimson", [0x5c191d, 0x653147, 0x7a1515]),
     ("warped", [0x3a3a4e, 0x2b6963, 0x167e86]),
+    ("poplar", [0xb5ae9c, 0xd5c8a2, 0xc3a83c]),
 ];

@@ -23,13 +23,13 @@ pub(super) fn read(build: &Build, tags: &Compound, kinds: &mut Blocks, scene: &m
     let size = build.size(tags)?;
     let count: usize = size.iter().product();
     let mut numbers = Vec::new();
+    // No index of a palette without gaps is beyond this; with gaps it may be a few times that.
+    let most = 4 * names.entries().count() + 4096;
     for (name, index) in names.entries() {
         let index = match index {
             Tag::Whole(index) => usize::try_from(*index).ok(),
             _ => None,
         };
-        // No index of a palette without gaps is beyond this; with gaps it may be a few times that.
-        let most = 4 * names.entries().count() + 4096;
         let index = index.filter(|&index| index < most);
         let index = index.ok_or_else(|| build.malformed(format!("an impossible index of {name:?}")))?;
         if numbers.len() <= index {

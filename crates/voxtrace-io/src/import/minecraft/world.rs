@@ -11,6 +11,8 @@ use voxtrace_scene::scene::Scene;
 use voxtrace_scene::transform::Transform;
 use voxtrace_voxelize::{ImportError, ImportErrorKind};
 
+/// Where a world has the regions of its first dimension: since 26.1, and before.
+const REGIONS: [&str; 2] = ["dimensions/minecraft/overworld/region", "region"];
 /// Most regions that a world may reach along x or z: 2¹⁹ blocks.
 const FARTHEST: i32 = 1023;
 
@@ -32,10 +34,9 @@ pub(super) fn holds_regions(folder: &Path) -> bool {
 
 /// The regions of a world, by z, then x.
 fn regions(folder: &Path) -> std::io::Result<Vec<(IVec2, PathBuf)>> {
-    let inner = folder.join("region");
-    let folder = if inner.is_dir() { &inner } else { folder };
+    let inner = REGIONS.map(|inner| folder.join(inner)).into_iter().find(|inner| inner.is_dir());
     let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder)? {
+    for entry in std::fs::read_dir(inner.as_deref().unwrap_or(folder))? {
         let path = entry?.path();
         if let Some(place) = place_of(&path) {
             found.push((place, path));
@@ -94,6 +95,18 @@ pub(super) fn read_world(folder: &Path, options: &ImportOptions) -> Result<Voxel
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_world_has_its_regions_where_its_version_puts_them() {
+        for inner in REGIONS {
+            let folder = tempfile::tempdir().unwrap();
+            std::fs::create_dir_all(folder.path().join(inner)).unwrap();
+            assert!(!holds_regions(folder.path()), "{inner}");
+            std::fs::write(folder.path().join(inner).join("r.0.-1.mca"), []).unwrap();
+            assert!(holds_regions(folder.path()) && holds_regions(&folder.path().join(inner)), "{inner}");
+            assert_eq!(regions(folder.path()).unwrap()[0].0, IVec2::new(0, -1));
+        }
+    }
 
     #[test]
     fn a_region_is_placed_by_its_name() {

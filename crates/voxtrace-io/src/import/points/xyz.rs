@@ -4,7 +4,7 @@
 use super::whole_intensities;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::reader::{FileClues, Geometry, Kind, Reader, Recognition};
-use crate::import::source::input::Input;
+use crate::import::source::input::{Input, without_mark};
 use glam::DVec3;
 use std::borrow::Cow;
 use voxtrace_voxelize::points::PointCloud;
@@ -48,7 +48,8 @@ fn recognize(clues: &FileClues) -> Recognition {
     let is_whole = clues.length.is_some_and(|length| length == clues.head.len() as u64);
     let ends = clues.head.iter().filter(|&&byte| byte == b'\n').count();
     // The last line may be cut off; the names of many columns are.
-    let lines = clues.head.split(|&byte| byte == b'\n').take(if is_whole { usize::MAX } else { ends.max(1) });
+    let lines =
+        without_mark(clues.head).split(|&byte| byte == b'\n').take(if is_whole { usize::MAX } else { ends.max(1) });
     for line in lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty()) {
         let comment = comment_of(line);
         if parse(&plain(line), &mut row) && row.len() >= 3 {
@@ -195,7 +196,8 @@ fn plain(text: &[u8]) -> Cow<'_, [u8]> {
 fn parse(text: &[u8], row: &mut Vec<f64>) -> bool {
     row.clear();
     words(text).take(COLUMNS).all(|word| {
-        let number = std::str::from_utf8(word).ok().and_then(|word| word.parse::<f64>().ok());
+        let bare = word.strip_prefix(b"\"").and_then(|word| word.strip_suffix(b"\"")).unwrap_or(word);
+        let number = std::str::from_utf8(bare).ok().and_then(|word| word.parse::<f64>().ok());
         row.extend(number);
         number.is_some()
     })
@@ -263,6 +265,15 @@ mod tests {
     }
 
     #[test]
+    fn spreadsheets_mark_their_texts_and_put_numbers_into_quotes() {
+        let named = cloud("a.csv", "\u{feff}X;Y;Z\r\n1,5;2;3\r\n4;5;6\r\n");
+        assert_eq!((named.positions.len(), named.positions[0].to_array()), (2, [1.5, 2.0, 3.0]));
+        assert_eq!(cloud("a.xyz", "\u{feff}1 2 3\n").positions[0].to_array(), [1.0, 2.0, 3.0]);
+        let quoted = cloud("a.csv", "\"z\",\"y\",\"x\"\n\"1\",\"2.5\",\"3\"\n");
+        assert_eq!(quoted.positions[0].to_array(), [3.0, 2.5, 1.0]);
+    }
+
+    #[test]
     fn without_names_their_number_tells_the_columns() {
         assert_eq!(cloud("a.xyz", "1 2 3 200 100 50\n").colors[0], [200, 100, 50]);
         assert_eq!(cloud("a.xyz", "1 2 3 0.5 -0.5 0.7\n").colors.len(), 0);
@@ -300,7 +311,14 @@ mod tests {
             recognize(&FileClues { path: Path::new(name), head, length, options: &options })
         };
         let told = |text: &str| named("a.dat", text);
-        for good in ["1 2 3\n4 5 6\n", "x y z\n1 2 3\n", "2\n1;2;3\n", "# scan\n1,5 2,5 3,5", "1\t2\t3\r\n"] {
+        for good in [
+            "1 2 3\n4 5 6\n",
+            "\u{feff}x y z\n1 2 3\n",
+            "x y z\n1 2 3\n",
+            "2\n1;2;3\n",
+            "# scan\n1,5 2,5 3,5",
+            "1\t2\t3\r\n",
+        ] {
             assert_eq!(told(good), Recognition::Likely, "{good:?}");
             assert_eq!([named("a.ASC", good), named("a.txt", good)], [Recognition::Sure; 2], "{good:?}");
         }
@@ -326,7 +344,9 @@ mod tests {
     #[test]
     fn lines_that_are_no_points_are_errors_that_say_where() {
         let limits = Limits::default();
-        for (text, at) in [("1 2 3\n4 five 6\n", 6), ("1 2 3\n4 5\n", 6), ("", 0), ("hello\n", 0)] {
+        for (text, at) in
+            [("1 2 3\n\"4,5\";6;7\n", 6), ("1 2 3\n4 five 6\n", 6), ("1 2 3\n4 5\n", 6), ("", 0), ("hello\n", 0)]
+        {
             let error = read(Input::of_bytes(text.as_bytes(), Path::new("a.xyz"), &limits).unwrap(), &limits);
             assert_eq!(error.unwrap_err().offset, Some(at), "{text:?}");
         }

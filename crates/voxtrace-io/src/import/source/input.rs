@@ -14,6 +14,11 @@ const PIECE: u64 = 1 << 24;
 /// Longest line of a text file, and longest single piece.
 const LONGEST: usize = 1 << 26;
 
+/// A text without the mark by which programs of Windows tell UTF-8.
+pub(crate) fn without_mark(text: &[u8]) -> &[u8] {
+    text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
+}
+
 /// A file or bytes, to be read in any order.
 pub(crate) trait ReadSeek: Read + Seek + Send {}
 impl<R: Read + Seek + Send> ReadSeek for R {}
@@ -230,7 +235,7 @@ impl<'a> Input<'a> {
         Ok(())
     }
 
-    /// Takes a line, without its end (LF or CR LF); `None` at the end of the file.
+    /// Takes a line, without its end (LF or CR LF) and what marks the text as UTF-8; `None` at the end of the file.
     pub fn line(&mut self) -> Result<Option<&[u8]>, ImportError> {
         let mut searched = 0;
         let length = loop {
@@ -255,6 +260,7 @@ impl<'a> Input<'a> {
         self.start += length;
         self.offset += length as u64;
         let line = &self.window[start..start + length];
+        let line = if self.offset == length as u64 { without_mark(line) } else { line };
         let line = line.strip_suffix(b"\n").unwrap_or(line);
         Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
     }

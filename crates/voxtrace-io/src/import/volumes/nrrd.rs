@@ -5,11 +5,12 @@ mod data_files;
 
 use crate::import::reader::{ImportOptions, Kind, Magic, Reader};
 use crate::import::samples::stored::{PackedFile, Stored};
-use crate::import::samples::{Layout, Sample, checked_size, detached, entries, place};
+use crate::import::samples::{Layout, Sample, channels, checked_size, detached, entries, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use data_files::{DataFiles, Samples};
 use glam::{DAffine3, DMat3, DVec3};
+use std::borrow::Cow;
 use std::path::Path;
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::volume::Volume;
@@ -68,12 +69,21 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
         _ => (samples.join(path, end, &files, folder, limits)?, 0),
     };
     let is_text = samples.is_text;
-    let note = entries::skip_to_time(&mut input, &layout, volumes, is_text, options)?;
+    // Sequences of 3D Slicer have time as their first axis, so that the time points of a place lie side by side.
+    let is_time = first == 1 && matches!(header.kinds.first().map(String::as_str), Some("time" | "list"));
+    let (mut channel, mut note) = (options.channel, None);
+    let mut behind = Cow::Borrowed(options);
+    if is_time {
+        let number = options.time.or(options.channel);
+        let (place, said) = channels::entry(number, components, "time point", "--time").map_err(unsupported)?;
+        (channel, note, behind.to_mut().time) = (Some(place as u32 + 1), said, None);
+    }
+    let of_volumes = entries::skip_to_time(&mut input, &layout, volumes, is_text, &behind)?;
     let mut frame = Volume { size, ..Volume::new([1; 3], Vec::new()) };
-    frame.notes.extend(note);
+    frame.notes.extend(note.into_iter().chain(of_volumes));
     header.place(&mut frame, &space);
     let file = (files.len() < 2).then_some(PackedFile { path: own, packing: samples.packing, start });
-    Ok(Stored { input, layout, is_text, frame, file, channel: options.channel })
+    Ok(Stored { input, layout, is_text, frame, file, channel })
 }
 
 fn sample_of(kind: &str) -> Option<Sample> {
@@ -296,5 +306,27 @@ mod tests {
         assert_eq!(read(&several), (Unit::Voxel, 2.0, 10.0));
         assert_eq!(read("spacings: 2 2 2\nunits: \"cm\" \"cm\" \"cm\""), (Unit::Millimetre, 20.0, 0.0));
         assert_eq!(read("spacings: 2 2 2\nunits: \"pixel\" \"pixel\" \"pixel\""), (Unit::Voxel, 2.0, 0.0));
+    }
+
+    #[test]
+    fn time_as_the_first_axis_is_chosen_like_time_as_the_last() {
+        let read = |kind: &str, time| {
+            let text = format!(
+                "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 3 2 1 1\nencoding: raw\nkinds: {kind} domain domain domain\n\n\
+                \u{1}\u{2}\u{3}\u{4}\u{5}\u{6}"
+            );
+            let (options, path) = (ImportOptions { time, ..ImportOptions::default() }, Path::new("a.nrrd"));
+            let input = Input::of_bytes(text.as_bytes(), path, &options.limits).unwrap();
+            stored(input, &Folder::none(), &options).and_then(|stored| stored.read(&options))
+        };
+        for kind in ["list", "time"] {
+            let first = read(kind, None).unwrap();
+            assert_eq!((first.values, first.colors.len(), first.size), (vec![1.0, 4.0], 0, [2, 1, 1]));
+            assert!(first.notes[0].contains("the first of 3 time points"), "{:?}", first.notes);
+            let third = read(kind, Some(3)).unwrap();
+            assert_eq!((third.values, third.notes.len()), (vec![3.0, 6.0], 0));
+            assert!(read(kind, Some(4)).unwrap_err().to_string().contains("no time point 4"));
+        }
+        assert_eq!(read("RGB-color", None).unwrap().colors, [[1, 2, 3], [4, 5, 6]]);
     }
 }

@@ -72,6 +72,10 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
     let offsets = file.main.decimals(tag::FRAME_OFFSETS).unwrap_or_default();
     let palette = Palette::of(file);
     let mosaic = Mosaic::of(file, layout.columns, layout.rows);
+    let are_labels = are_labels(file);
+    // A place belongs to a segment where half of it does, or where it is so at least as likely as not (PS3.3, C.8.20.2.3).
+    let whole = file.main.short(tag::WHOLE_SHARE).filter(|&whole| whole > 0).unwrap_or(255);
+    let half = if are_shares(file) { f32::from(whole) / 2.0 } else { 0.5 };
     let mut slices = Vec::with_capacity(layout.frames);
     for (frame, mut values) in layout.decode(path, file, limits)?.into_iter().enumerate() {
         if let Some(palette) = &palette {
@@ -83,11 +87,9 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
         if (slope, intercept) != (1.0, 0.0) {
             values.iter_mut().for_each(|value| *value = (f64::from(*value) * slope + intercept) as f32);
         }
-        if are_labels(file)
-            && let Some(segment) = file.of_frame(frame, |elements| elements.short(tag::SEGMENT))
-        {
+        if are_labels && let Some(segment) = file.of_frame(frame, |elements| elements.short(tag::SEGMENT)) {
             // Pixels say only whether a place belongs to the segment of the frame (PS3.3, C.8.20.2).
-            values.iter_mut().for_each(|value| *value = if *value > 0.0 { segment.into() } else { 0.0 });
+            values.iter_mut().for_each(|value| *value = if *value >= half { segment.into() } else { 0.0 });
         }
         let (x, y) = directions(file, frame);
         let mut position = vector(file, frame, tag::POSITION, 0);
@@ -107,9 +109,17 @@ fn slices(path: &Path, file: &File, layout: &Layout, limits: &Limits) -> Result<
     Ok(slices)
 }
 
-/// Whether samples are the numbers of segments, not shares of one.
+/// Whether samples become the numbers of segments: shares of a single one stay what they are.
 fn are_labels(file: &File) -> bool {
-    file.main.text(tag::MODALITY) == Some("SEG") && file.main.text(tag::SEGMENTATION) != Some("FRACTIONAL")
+    let mut segments =
+        (0..file.frames.len()).map(|frame| file.of_frame(frame, |elements| elements.short(tag::SEGMENT)));
+    let first = segments.next();
+    file.main.text(tag::MODALITY) == Some("SEG") && (!are_shares(file) || segments.any(|other| Some(other) != first))
+}
+
+/// Whether the samples of a segmentation say how much of a place belongs to a segment, or how likely it does.
+fn are_shares(file: &File) -> bool {
+    file.main.text(tag::SEGMENTATION) == Some("FRACTIONAL")
 }
 
 /// Three numbers of a frame, from the nth on.
@@ -124,6 +134,11 @@ fn directions(file: &File, frame: usize) -> (DVec3, DVec3) {
     let y = vector(file, frame, tag::ORIENTATION, 3).unwrap_or(DVec3::Y);
     let y = (y - x * y.dot(x)).try_normalize().unwrap_or_else(|| x.any_orthonormal_vector());
     (x, y)
+}
+
+/// Whether directions are one, but for the last digits that files round them to.
+fn are_alike(one: (DVec3, DVec3), other: (DVec3, DVec3)) -> bool {
+    (one.0 - other.0).abs().max((one.1 - other.1).abs()).max_element() < 1e-3
 }
 
 /// How far columns, rows and slices of a frame are apart, in millimetres, where it says so.
@@ -167,7 +182,7 @@ fn volume(
     parts.count("overlay", file.overlays.into());
     volume.notes.extend(parts.note());
     volume.unit = Unit::Millimetre;
-    volume.is_labels = file.main.text(tag::MODALITY) == Some("SEG");
+    volume.is_labels = are_labels;
     volume.suited = match file.main.text(tag::MODALITY) {
         Some("CT") => Some(Preset::CtBone),
         Some("MR") => Some(Preset::Mri),

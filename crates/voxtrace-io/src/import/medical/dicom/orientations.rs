@@ -1,19 +1,19 @@
 //! Frames in several directions, as localizers have them: those in one direction are a stack, and one stack is read.
 
+use super::are_alike;
 use super::stack::Slice;
 
 /// The slices in one direction, and what there is to say about the others. `wanted` is the number of the stack, from 1 on in the order
 /// of their first frames; else it is the largest.
 pub(super) fn choose(slices: Vec<Slice>, wanted: Option<i64>) -> Result<(Vec<Slice>, Option<String>), String> {
-    let mut stacks: Vec<([i64; 6], Vec<Slice>)> = Vec::new();
+    let mut stacks: Vec<Vec<Slice>> = Vec::new();
     for slice in slices {
-        let key = directions(&slice);
-        match stacks.iter_mut().find(|(own, _)| *own == key) {
-            Some((_, stack)) => stack.push(slice),
-            None => stacks.push((key, vec![slice])),
+        match stacks.iter_mut().find(|stack| are_alike(stack[0].directions, slice.directions)) {
+            Some(stack) => stack.push(slice),
+            None => stacks.push(vec![slice]),
         }
     }
-    let sizes: Vec<usize> = stacks.iter().map(|(_, stack)| stack.len()).collect();
+    let sizes: Vec<usize> = stacks.iter().map(Vec::len).collect();
     let all = || {
         sizes.iter().zip(1..).map(|(size, number)| format!("{number}: {size} frames")).collect::<Vec<_>>().join(", ")
     };
@@ -34,14 +34,8 @@ pub(super) fn choose(slices: Vec<Slice>, wanted: Option<i64>) -> Result<(Vec<Sli
             all()
         )
     });
-    let stack = stacks.into_iter().nth(chosen).map(|(_, stack)| stack).unwrap_or_default();
+    let stack = stacks.into_iter().nth(chosen).unwrap_or_default();
     Ok((stack, note))
-}
-
-/// Directions of columns and rows in thousandths.
-fn directions(slice: &Slice) -> [i64; 6] {
-    let (x, y) = slice.directions;
-    [x.x, x.y, x.z, y.x, y.y, y.z].map(|value| (value * 1000.0).round() as i64)
 }
 
 #[cfg(test)]
@@ -71,5 +65,21 @@ mod tests {
         // Where there is one, the number is that of its series.
         let one = choose(slices().drain(..2).collect(), Some(9)).unwrap();
         assert_eq!((one.0.len(), one.1), (2, None));
+    }
+
+    #[test]
+    fn directions_that_differ_in_their_last_digits_are_one() {
+        // A tilt of 0.1235 is rounded to 0.123 or to 0.124, as its next digits say.
+        let turned = |sine: f64| (DVec3::X, DVec3::new(0.0, (1.0 - sine * sine).sqrt(), sine));
+        let slices = [0.123_499_9, 0.123_500_1, 0.123_499_8, 0.2].map(|sine| Slice {
+            position: None,
+            directions: turned(sine),
+            number: 0.0,
+            frame: 0,
+            values: vec![0.0],
+        });
+        let (stack, note) = choose(slices.into(), None).unwrap();
+        assert_eq!(stack.len(), 3);
+        assert!(note.is_some_and(|note| note.contains("2 directions")));
     }
 }

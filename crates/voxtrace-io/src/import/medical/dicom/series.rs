@@ -3,12 +3,13 @@
 use super::elements::File;
 use super::pixels::Layout;
 use super::tag;
-use super::{MAGIC, READER, directions, slices, volume};
+use super::{MAGIC, READER, are_alike, directions, slices, volume};
 use crate::import::reader::{FolderClues, ImportOptions, clues};
 use crate::import::samples::checked_size;
 use crate::import::source::Source;
 use crate::import::source::input::Input;
 use crate::import::source::listing;
+use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::io::Seek;
@@ -17,13 +18,13 @@ use voxtrace_voxelize::volume::Volume;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// What files of one stack share.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug)]
 struct Key {
     series: String,
-    rows: usize,
-    columns: usize,
-    /// Directions of columns and rows in thousandths.
-    directions: [i64; 6],
+    /// Rows and columns.
+    size: [usize; 2],
+    /// In which columns and rows are counted.
+    directions: (DVec3, DVec3),
 }
 
 /// A stack of files.
@@ -126,12 +127,18 @@ fn read_series(
     let is_directory = |path: &PathBuf| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(DIRECTORY));
     let files = files.into_par_iter().filter(|path| !is_directory(path));
     let heads: Vec<_> = files.map(|path| (head(&path, limits), path)).collect();
-    let mut stacks: BTreeMap<Key, Stack> = BTreeMap::new();
+    // By series and size of pictures; of each those of one direction.
+    let mut stacks = BTreeMap::<_, Vec<(Key, Stack)>>::new();
     let (mut others, mut fault) = (0, None);
     for (head, path) in heads {
         match head {
             Ok((key, file, frames)) => {
-                let stack = stacks.entry(key).or_default();
+                let alike = stacks.entry((key.series.clone(), key.size)).or_default();
+                let place = alike.iter().position(|(own, _)| own.is_same(&key)).unwrap_or(alike.len());
+                if place == alike.len() {
+                    alike.push((key, Stack::default()));
+                }
+                let stack = &mut alike[place].1;
                 stack.files.push(path);
                 stack.pictures += frames as u64;
                 stack.number = file.main.decimal(tag::SERIES_NUMBER).map(|number| number as i64);
@@ -145,9 +152,10 @@ fn read_series(
             }
         }
     }
+    let stacks: Vec<(Key, Stack)> = stacks.into_values().flatten().collect();
     let count = stacks.len();
     let fits = |key: &Key, stack: &Stack| {
-        wanted.is_none_or(|wanted| wanted == key) && (number.is_none() || stack.number == number)
+        wanted.is_none_or(|wanted| wanted.is_same(key)) && (number.is_none() || stack.number == number)
     };
     let mut found: Option<Stack> = None;
     let mut left_out = Vec::new();
@@ -192,10 +200,12 @@ fn head(path: &Path, limits: &Limits) -> Result<(Key, File, usize), ImportError>
 
 impl Key {
     fn of(file: &File, layout: &Layout) -> Self {
-        let (x, y) = directions(file, 0);
-        let directions = [x.x, x.y, x.z, y.x, y.y, y.z].map(|value| (value * 1000.0).round() as i64);
         let series = file.main.text(tag::SERIES).unwrap_or_default().to_owned();
-        Self { series, rows: layout.rows, columns: layout.columns, directions }
+        Self { series, size: [layout.rows, layout.columns], directions: directions(file, 0) }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.series == other.series && self.size == other.size && are_alike(self.directions, other.directions)
     }
 }
 

@@ -39,9 +39,10 @@ pub(super) const GREEN_SEGMENTS: u32 = 0x0028_1222;
 pub(super) const BLUE_SEGMENTS: u32 = 0x0028_1223;
 /// Sequences within the groups of frames that hold what is read of them.
 pub(super) const PLACE_GROUPS: [u32; 5] = [0x0020_9113, 0x0020_9116, 0x0028_9110, 0x0028_9145, 0x0062_000a];
-/// Of segmentations: their kind, and the number of the segment that a frame is of.
+/// Of segmentations: their kind, the number of the segment that a frame is of, and what stands for all of a place.
 pub(super) const SEGMENTATION: u32 = 0x0062_0001;
 pub(super) const SEGMENT: u32 = 0x0062_000b;
+pub(super) const WHOLE_SHARE: u32 = 0x0062_000e;
 pub(super) const INTERCEPT: u32 = 0x0028_1052;
 pub(super) const SLOPE: u32 = 0x0028_1053;
 pub(super) const FRAME_OFFSETS: u32 = 0x3004_000c;
@@ -56,7 +57,7 @@ pub(super) const ITEM_END: u32 = 0xfffe_e00d;
 pub(super) const SEQUENCE_END: u32 = 0xfffe_e0dd;
 
 /// What is kept of a file.
-pub(super) const WANTED: [u32; 41] = [
+pub(super) const WANTED: [u32; 42] = [
     TRANSFER_SYNTAX,
     REFERENCED_FILE,
     IMAGE_TYPE,
@@ -94,6 +95,7 @@ pub(super) const WANTED: [u32; 41] = [
     SLOPE,
     SEGMENTATION,
     SEGMENT,
+    WHOLE_SHARE,
     FRAME_OFFSETS,
     DOSE_SCALING,
     SHARED_GROUPS,

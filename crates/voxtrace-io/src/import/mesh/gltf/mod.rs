@@ -22,7 +22,7 @@ mod scene;
 
 use crate::import::reader::{Geometry, ImportOptions, Kind, LargeContent, Magic, Reader};
 use crate::import::source::folder::Folder;
-use crate::import::source::input::Input;
+use crate::import::source::input::{Input, without_mark};
 use buffers::Buffers;
 use document::Document;
 use serde::de::IgnoredAny;
@@ -157,7 +157,8 @@ struct Container<'a> {
 
 fn split<'a>(bytes: &'a [u8], path: &Path) -> Result<Container<'a>, ImportError> {
     if !bytes.starts_with(MAGIC) {
-        return Ok(Container { json: bytes, json_offset: 0, binary: None });
+        let json = without_mark(bytes);
+        return Ok(Container { json, json_offset: (bytes.len() - json.len()) as u64, binary: None });
     }
     let word = |at: usize| {
         let bytes =

@@ -45,7 +45,7 @@ impl Library {
         let mut name = None;
         let mut material = MeshMaterial::default();
         let mut has_dissolve = false;
-        for line in text.lines() {
+        for line in text.trim_start_matches('\u{feff}').lines() {
             let line = line.trim();
             let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
             let rest = rest.trim();

@@ -11,7 +11,7 @@ use crate::import::reader::{self, Kind, NotShown};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
 use faces::Faces;
-use glam::{DVec3, Vec2, Vec4};
+use glam::{DVec3, Vec2, Vec3, Vec4};
 use material::Library;
 use rustc_hash::FxHashMap;
 use std::path::Path;
@@ -95,8 +95,8 @@ struct Reader<'a> {
     limits: &'a Limits,
     mesh: Mesh,
     local_origin: LocalOrigin,
-    /// Colours of the positions so far; empty until the first vertex that has one.
-    colors: Vec<Vec4>,
+    /// Colours of the positions so far, as the file has them; empty until the first vertex that has one.
+    colors: Vec<Option<Vec3>>,
     /// Texture coordinates as the file numbers them.
     uvs: Vec<Vec2>,
     faces: Faces,
@@ -160,11 +160,10 @@ impl Reader<'_> {
         self.mesh.positions.push(position);
         // Three numbers more are a colour; a fourth number alone is a weight.
         if count >= 6 {
-            self.colors.resize(index, Vec4::ONE);
-            let srgb = [numbers[3], numbers[4], numbers[5]].map(|value| linear_from_signal(value as f32));
-            self.colors.push(Vec4::new(srgb[0], srgb[1], srgb[2], 1.0));
+            self.colors.resize(index, None);
+            self.colors.push(Some(DVec3::new(numbers[3], numbers[4], numbers[5]).as_vec3()));
         } else if !self.colors.is_empty() {
-            self.colors.push(Vec4::ONE);
+            self.colors.push(None);
         }
         Ok(())
     }
@@ -199,8 +198,8 @@ impl Reader<'_> {
         let mut mesh = self.mesh;
         mesh.offset = self.local_origin.offset();
         let has_colors = !self.colors.is_empty();
-        self.colors.resize(if has_colors { mesh.positions.len() } else { 0 }, Vec4::ONE);
-        mesh.colors = self.colors;
+        self.colors.resize(if has_colors { mesh.positions.len() } else { 0 }, None);
+        mesh.colors = linear_colors(&self.colors);
         let missing = self.faces.missing();
         self.faces.finish(&self.uvs, &mut mesh);
         if missing > 0 {
@@ -251,6 +250,16 @@ fn numbers_of(rest: &[u8], numbers: &mut [f64]) -> Result<usize, String> {
     Ok(count)
 }
 
+/// Linear colours of vertices, white where the file has none. Signals are shares, but bytes where they are as large as those: some programs
+/// write them so.
+fn linear_colors(colors: &[Option<Vec3>]) -> Vec<Vec4> {
+    let largest = colors.iter().flatten().flat_map(|color| color.to_array()).fold(0.0, f32::max);
+    // Colours that are brighter than white are shares yet, and a stray value is none of a byte.
+    let full = if (16.0..256.0).contains(&largest) { 255.0 } else { 1.0 };
+    let linear = |color: Vec3| Vec3::from((color / full).to_array().map(linear_from_signal)).extend(1.0);
+    colors.iter().map(|color| color.map_or(Vec4::ONE, linear)).collect()
+}
+
 /// Linear value of an sRGB signal in [0, 1].
 fn linear_from_signal(signal: f32) -> f32 {
     linear_from_srgb((signal.clamp(0.0, 1.0) * 255.0).round() as u8)
@@ -259,7 +268,6 @@ fn linear_from_signal(signal: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
 
     fn read_any(text: &str) -> Result<Geometry, ImportError> {
         let limits = Limits::default();
@@ -281,6 +289,12 @@ mod tests {
     }
 
     const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    #[test]
+    fn the_first_vertex_is_read_behind_the_mark_of_a_text() {
+        let read = |mark: &str| read_text(&format!("{mark}{SQUARE}f 1 2 3")).unwrap();
+        assert_eq!(read("\u{feff}"), read(""));
+    }
 
     #[test]
     fn faces_name_corners_from_the_front_or_the_back() {
@@ -323,6 +337,19 @@ mod tests {
         assert_eq!(mesh.colors.len(), 3);
         assert_eq!(mesh.colors[1], Vec4::ONE);
         assert!((mesh.colors[0] - Vec4::new(1.0, 0.2158, 0.0, 1.0)).abs().max_element() < 1e-3);
+    }
+
+    #[test]
+    fn colours_of_vertices_may_be_written_as_bytes() {
+        let colors = |lines: [&str; 3]| {
+            let text = lines.map(|color| format!("v 0 0 0 {color}\n")).concat();
+            read_text(&(text + "f 1 2 3")).unwrap().colors
+        };
+        assert_eq!(colors(["255 51 0", "0 0 102", ""]), colors(["1 0.2 0", "0 0 0.4", "1 1 1"]));
+        // Colours brighter than white, and a stray number, are no bytes.
+        assert_eq!(colors(["1.5 0.2 0", "0 0 0.4", ""]), colors(["1 0.2 0", "0 0 0.4", ""]));
+        assert_eq!(colors(["1e9 0.2 0", "0 0 0.4", ""]), colors(["1 0.2 0", "0 0 0.4", ""]));
+        assert_eq!(colors(["nan 0.2 0", "0 0 0.4", ""]), colors(["0 0.2 0", "0 0 0.4", ""]));
     }
 
     #[test]

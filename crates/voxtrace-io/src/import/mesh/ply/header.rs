@@ -4,6 +4,9 @@ use super::faces::column_of;
 use crate::import::source::input::Input;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
+/// Most pictures that are shown.
+const MOST_TEXTURES: usize = 1024;
+
 /// How values are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
@@ -93,8 +96,8 @@ impl Element {
 pub(crate) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// Picture that a comment names.
-    pub texture: Option<String>,
+    /// Pictures that comments name; several only where faces say which of them they show.
+    pub textures: Vec<String>,
 }
 
 impl Header {
@@ -112,7 +115,7 @@ impl Header {
                 ImportErrorKind::UnknownFormat("a PLY file begins with `ply`".into()),
             ));
         }
-        let (mut encoding, mut elements, mut texture) = (None, Vec::<Element>::new(), None);
+        let (mut encoding, mut elements, mut textures) = (None, Vec::<Element>::new(), Vec::new());
         loop {
             let start = input.offset();
             let malformed = |what: String| ImportError::malformed(path, start, what);
@@ -147,7 +150,8 @@ impl Header {
                 }
                 ["property", kind, name] => push(&mut elements, kind, name, None).map_err(malformed)?,
                 ["comment", "TextureFile", ..] => {
-                    texture = line.split_once("TextureFile").map(|(_, name)| name.trim().to_owned());
+                    let name = line.split_once("TextureFile").map(|(_, name)| name.trim().to_owned());
+                    textures.extend(name.filter(|_| textures.len() < MOST_TEXTURES));
                 }
                 ["end_header"] => break,
                 ["ply" | "comment" | "obj_info", ..] | [] => {}
@@ -159,7 +163,10 @@ impl Header {
         }
         let encoding =
             encoding.ok_or_else(|| ImportError::malformed(path, input.offset(), "the format line is missing"))?;
-        Ok(Self { encoding, elements, texture })
+        if !elements.iter().any(|element| element.find(&["texnumber"]).is_some()) {
+            textures.drain(..textures.len().saturating_sub(1));
+        }
+        Ok(Self { encoding, elements, textures })
     }
 }
 

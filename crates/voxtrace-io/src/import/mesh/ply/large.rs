@@ -1,13 +1,13 @@
 //! Binary PLY meshes larger than memory: faces are read one after the other, their corners through a cache of vertices.
 
-use super::faces::{STRIPS, column_of, take_corners, triangles_of_strips};
+use super::faces::{Columns as FaceColumns, Face, STRIPS, Wanted, column_of, triangles_of_strips};
 use super::header::{Element, Encoding, Header};
 use super::values::Values;
 use super::vertex_cache::VertexCache;
 use super::vertices::{Columns, FullIntensity};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
-use glam::Vec4;
+use glam::{Vec2, Vec4};
 use std::path::{Path, PathBuf};
 use voxtrace_voxelize::mesh::source::{SourceColors, TriangleSource};
 use voxtrace_voxelize::mesh::{Mesh, polygon::triangulate};
@@ -26,6 +26,8 @@ pub(crate) struct PlyTriangles {
     vertices: VertexCache,
     vertex_count: u64,
     colors: SourceColors,
+    /// What is taken of faces.
+    wanted: Wanted,
     frame: Mesh,
 }
 
@@ -42,7 +44,10 @@ impl PlyTriangles {
             return Ok(None);
         }
         let header = Header::read(&mut input, &unbounded())?;
-        let start = input.offset();
+        let (start, wanted) = (input.offset(), Wanted::of(&header));
+        if header.textures.len() > 1 {
+            return Ok(None);
+        }
         let mut elements = header.elements.into_iter();
         let vertices = elements.next().filter(|element| element.name == "vertex");
         let elements: Vec<Element> = elements.collect();
@@ -63,20 +68,28 @@ impl PlyTriangles {
         let start_of_faces = start + vertices.count * size;
         let values = Values::new(Input::open_at(path, start_of_faces, &unbounded())?, header.encoding);
         elements.iter().try_for_each(|element| values.check_count(element))?;
+        let of_faces: Vec<_> = elements
+            .iter()
+            .filter(|element| is_faces(element))
+            .filter_map(|element| FaceColumns::of(element, wanted))
+            .collect();
         let colors = match (columns.color, columns.alpha) {
+            (None, _) if of_faces.iter().any(|columns| columns.color.is_some()) => SourceColors::Bytes,
             (None, _) => SourceColors::None,
             (Some(_), None) => SourceColors::Bytes,
             (Some(_), Some(_)) => SourceColors::Linear,
         };
         let mut frame = Mesh::new("");
         frame.notes.extend(super::not_shown(elements.iter().chain([&vertices])));
-        super::set_look(&mut frame, header.texture.as_deref(), columns.uv.is_some(), &Folder::of(path, limits), limits);
+        let has_uvs = columns.uv.is_some() || of_faces.iter().any(|columns| columns.uvs.is_some());
+        super::set_look(&mut frame, &header.textures, has_uvs, &Folder::of(path, limits), limits);
         if colors != SourceColors::None {
             frame.materials[0].base_color = Vec4::ONE;
         }
         let has_uvs = !frame.textures.is_empty();
         let vertex_count = vertices.count;
-        let vertices = VertexCache::open(path, (vertices, full), header.encoding, start, has_uvs, budget / 2)?;
+        let of_vertices = has_uvs && columns.uv.is_some();
+        let vertices = VertexCache::open(path, (vertices, full), header.encoding, start, of_vertices, budget / 2)?;
         frame.offset = vertices.offset();
         Ok(Some(Self {
             path: path.into(),
@@ -86,6 +99,7 @@ impl PlyTriangles {
             vertices,
             vertex_count,
             colors,
+            wanted,
             frame,
         }))
     }
@@ -127,14 +141,16 @@ impl TriangleSource for PlyTriangles {
         let mut values = Values::new(Input::open_at(&path, self.start, &unbounded())?, self.encoding);
         let mut piece = Mesh { offset: self.frame.offset, ..Mesh::new("") };
         piece.materials.clone_from(&self.frame.materials);
-        let (mut corners, mut points, mut cut) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut face, mut points, mut cut) = (Face::default(), Vec::new(), Vec::new());
+        let (has_uvs, has_colors) = (self.has_uvs(), self.colors != SourceColors::None);
         for element in &self.elements {
-            let Some(column) = column_of(element).filter(|_| is_faces(element)) else {
+            let Some(columns) = FaceColumns::of(element, self.wanted).filter(|_| is_faces(element)) else {
                 super::skip(&mut values, element)?;
                 continue;
             };
             for _ in 0..element.count {
-                take_corners(&mut values, element, column, &mut corners)?;
+                face.take(&mut values, element, columns)?;
+                let corners = &face.corners;
                 let is_strips = element.name == STRIPS;
                 let beyond =
                     |&&corner: &&u32| u64::from(corner) >= self.vertex_count && !(is_strips && corner == u32::MAX);
@@ -143,23 +159,36 @@ impl TriangleSource for PlyTriangles {
                     return Err(values.malformed(what));
                 }
                 if is_strips {
-                    for corner in triangles_of_strips(&corners).flatten() {
-                        self.vertices.push(&path, corner, &mut piece)?;
-                    }
-                } else if let [a, b, c] = corners[..] {
-                    for corner in [a, b, c] {
+                    for corner in triangles_of_strips(corners).flatten() {
                         self.vertices.push(&path, corner, &mut piece)?;
                     }
                 } else {
-                    points.clear();
-                    for &corner in &corners {
-                        points.push(self.vertices.position(&path, corner)?);
-                    }
                     cut.clear();
-                    triangulate(&points, &mut cut);
-                    for corner in cut.iter().flatten() {
-                        self.vertices.push(&path, corners[*corner], &mut piece)?;
+                    if corners.len() == 3 {
+                        cut.push([0, 1, 2]);
+                    } else {
+                        points.clear();
+                        for &corner in corners {
+                            points.push(self.vertices.position(&path, corner)?);
+                        }
+                        triangulate(&points, &mut cut);
                     }
+                    for &corner in cut.iter().flatten() {
+                        self.vertices.push(&path, corners[corner], &mut piece)?;
+                        if has_uvs && columns.uvs.is_some() {
+                            piece.uvs.push(face.uv(corner));
+                        }
+                    }
+                    if columns.color.is_some() {
+                        piece.colors.resize(piece.positions.len(), face.color().extend(1.0));
+                    }
+                }
+                // Faces of another element may say how they look, and these do not.
+                if has_uvs {
+                    piece.uvs.resize(piece.positions.len(), Vec2::ZERO);
+                }
+                if has_colors {
+                    piece.colors.resize(piece.positions.len(), Vec4::ONE);
                 }
                 if piece.positions.len() >= PIECE {
                     if !each(&piece) {

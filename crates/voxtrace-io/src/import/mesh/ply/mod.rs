@@ -1,5 +1,5 @@
 //! PLY, the Stanford polygon format, as text and as binary of both byte orders (Turk, "The PLY Polygon File Format", 1994).
-//! Read are positions, colours and texture coordinates of vertices, faces and triangle strips, and Gaussian splats.
+//! Read are positions, colours and texture coordinates of vertices, or those of faces, faces and triangle strips, and Gaussian splats.
 
 mod faces;
 mod header;
@@ -15,10 +15,11 @@ use crate::import::reader::Geometry;
 use crate::import::reader::{ImportOptions, Kind, LargeContent, Magic, NotShown, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
+use faces::{Looks, Wanted};
 use glam::Vec4;
 use header::{Element, Header};
 use values::Values;
-use voxtrace_voxelize::mesh::{Mesh, TextureUse};
+use voxtrace_voxelize::mesh::{Mesh, MeshMaterial, TextureUse};
 use voxtrace_voxelize::points::PointCloud;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
@@ -52,6 +53,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
     let header = Header::read(&mut input, limits)?;
     let mut mesh = Mesh::new("");
     let mut values = Values::new(input, header.encoding);
+    let (wanted, mut looks) = (Wanted::of(&header), Looks::default());
     mesh.notes.extend(not_shown(header.elements.iter()));
     for element in &header.elements {
         values.check_count(element)?;
@@ -64,7 +66,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
         }
         match element.name.as_str() {
             "vertex" => vertices::read(&mut values, element, &mut mesh)?,
-            "face" | "tristrips" => faces::read(&mut values, element, limits, &mut mesh)?,
+            "face" | "tristrips" => faces::read(&mut values, element, wanted, limits, &mut mesh, &mut looks)?,
             _ => skip(&mut values, element)?,
         }
     }
@@ -80,49 +82,47 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
         }
         return Ok(Geometry::Points(PointCloud::from_corners(mesh)));
     }
-    let has_uvs = !mesh.uvs.is_empty();
-    set_look(&mut mesh, header.texture.as_deref(), has_uvs, folder, limits);
+    let has_uvs = !mesh.uvs.is_empty() || looks.has_uvs();
+    looks.spread(&mut mesh);
+    set_look(&mut mesh, &header.textures, has_uvs, folder, limits);
     Ok(Geometry::Mesh(mesh))
 }
 
-/// Says how the surface looks: by the picture of a name, by colours of vertices, or plain.
-fn set_look(mesh: &mut Mesh, texture: Option<&str>, has_uvs: bool, folder: &Folder, limits: &Limits) {
-    match texture {
-        // MeshLab gives them to the corners of faces.
-        Some(name) if !has_uvs => {
-            mesh.notes.push(format!("the texture {name:?} is left out: the vertices have no coordinates on it"));
+/// Says how the surface looks: by pictures of these names, by colours, or plain. Each picture is a material.
+fn set_look(mesh: &mut Mesh, textures: &[String], has_uvs: bool, folder: &Folder, limits: &Limits) {
+    mesh.materials.resize_with(textures.len().max(1), MeshMaterial::default);
+    for (at, name) in textures.iter().enumerate() {
+        if !has_uvs {
+            mesh.notes
+                .push(format!("the texture {name:?} is left out: neither vertices nor faces have coordinates on it"));
+            continue;
         }
-        Some(name) => match folder
+        match folder
             .read(name)
             .map_err(|refused| refused.to_string())
             .and_then(|file| texture::decode(&file, limits).map_err(|refused| refused.to_string()))
         {
             Ok(texture) => {
+                mesh.materials[at].base_texture = Some(TextureUse::new(mesh.textures.len() as u32));
+                mesh.materials[at].base_color = Vec4::ONE;
                 mesh.textures.push(texture);
-                mesh.materials[0].base_texture = Some(TextureUse::new(0));
-                mesh.materials[0].base_color = Vec4::ONE;
             }
             Err(fault) => mesh.notes.push(format!("the texture is left out: {fault}")),
-        },
-        None => {}
+        }
     }
+    let count = mesh.materials.len();
+    mesh.material_of.iter_mut().filter(|at| usize::from(**at) >= count).for_each(|at| *at = 0);
     if !mesh.colors.is_empty() {
-        mesh.materials[0].base_color = Vec4::ONE;
+        mesh.materials.iter_mut().for_each(|material| material.base_color = Vec4::ONE);
     }
 }
 
-/// The note about elements that nothing comes of, and about colours of faces; other values of vertices and faces are many, and every program has
-/// its own.
-fn not_shown<'e>(elements: impl Iterator<Item = &'e Element> + Clone) -> Option<String> {
+/// The note about elements that nothing comes of; other values of vertices and faces are many, and every program has its own.
+fn not_shown<'e>(elements: impl Iterator<Item = &'e Element>) -> Option<String> {
     let mut parts = NotShown::default();
     let is_read = |element: &&Element| matches!(element.name.as_str(), "vertex" | "face" | "tristrips");
-    let others = elements.clone().filter(|element| !is_read(element));
+    let others = elements.filter(|element| !is_read(element));
     others.for_each(|element| parts.count(&element.name, element.count));
-    let has_red = |element: &Element| element.count > 0 && element.find(&["red", "diffuse_red"]).is_some();
-    let is_colored = |name: &str| elements.clone().any(|element| element.name == name && has_red(element));
-    if is_colored("face") && !is_colored("vertex") {
-        parts.name("colours of faces");
-    }
     parts.note()
 }
 
@@ -230,22 +230,85 @@ mod tests {
     }
 
     #[test]
-    fn a_texture_without_coordinates_and_colours_of_faces_are_told() {
-        let text = |vertex: &str, color: &str| {
+    fn faces_look_as_they_say_where_vertices_do_not() {
+        let read = |vertex: &str, color: &str| {
             let text = format!(
-                "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex 3\nproperty float x\nproperty float y\n\
-                property float z\n{vertex}element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n\
+                "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex 4\nproperty float x\nproperty float y\n\
+                property float z\n{vertex}element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n\
                 property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n\
-                0 0 0{color}\n1 0 0{color}\n0 1 0{color}\n3 0 1 2 6 0 0 1 0 0 1 255 0 0\n"
+                0 0 0{color}\n1 0 0{color}\n1 1 0{color}\n0 1 0{color}\n\
+                4 0 1 2 3 8 0 0 1 0 1 0.25 0 1 255 0 0\n3 0 1 2 6 0.5 0 1 0.5 0 1 0 0 255\n"
             );
-            read_bytes(text.as_bytes()).unwrap().notes
+            let mesh = read_bytes(text.as_bytes()).unwrap();
+            mesh.validate().unwrap();
+            mesh
         };
-        let notes = text("", "");
-        assert_eq!(notes.len(), 2, "{notes:?}");
-        assert_eq!(crate::import::reader::parts_not_shown(&notes), ["colours of faces"]);
-        assert!(notes[1].contains("\"wood.png\" is left out"), "{notes:?}");
-        let notes = text("property uchar red\nproperty uchar green\nproperty uchar blue\n", " 1 2 3");
-        assert_eq!(notes.len(), 1, "vertices have colours: {notes:?}");
+        let mesh = read("", "");
+        let corners = |at: [[f32; 2]; 9]| at.map(|[x, y]| Vec3::new(x, y, 0.0));
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let all: Vec<_> = square.iter().chain(&square[..3]).copied().collect();
+        assert_eq!((mesh.triangles.len(), &mesh.positions[..]), (0, &corners(all.try_into().unwrap())[..]));
+        let uvs = [
+            [0.0, 1.0],
+            [1.0, 1.0],
+            [1.0, 0.75],
+            [0.0, 1.0],
+            [1.0, 0.75],
+            [0.0, 0.0],
+            [0.5, 1.0],
+            [1.0, 0.5],
+            [0.0, 0.0],
+        ];
+        assert_eq!(mesh.uvs, uvs.map(Vec2::from));
+        let (red, blue) = (Vec4::new(1.0, 0.0, 0.0, 1.0), Vec4::new(0.0, 0.0, 1.0, 1.0));
+        assert_eq!(mesh.colors, [red, red, red, red, red, red, blue, blue, blue]);
+        // The picture is not there, which is said.
+        assert_eq!(mesh.notes.len(), 1, "{:?}", mesh.notes);
+        let own = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float s\nproperty float t\n";
+        let mesh = read(own, " 255 255 255 0 0");
+        assert_eq!((mesh.triangles.len(), mesh.colors.len(), mesh.colors[0]), (3, 4, Vec4::ONE));
+    }
+
+    #[test]
+    fn each_face_has_the_picture_of_its_number() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, color) in [("a.png", [255, 0, 0]), ("b.png", [0, 255, 0])] {
+            let mut encoder = png::Encoder::new(std::fs::File::create(folder.path().join(name)).unwrap(), 1, 1);
+            encoder.set_color(png::ColorType::Rgb);
+            encoder.write_header().unwrap().write_image_data(&color).unwrap();
+        }
+        let read = |number: &str| {
+            let text = format!(
+                "ply\nformat ascii 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\nelement vertex 3\nproperty float x\n\
+                property float y\nproperty float z\nproperty float s\nproperty float t\nelement face 4\n\
+                property list uchar int vertex_indices\nproperty int {number}\nend_header\n\
+                0 0 0 0 0\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2 1\n3 0 1 2 0\n3 0 1 2 -1\n3 0 1 2 9\n"
+            );
+            let options = ImportOptions::default();
+            let input = Input::of_bytes(text.as_bytes(), Path::new("a.ply"), &options.limits).unwrap();
+            match read(input, &Folder::at(folder.path(), &options.limits), &options).unwrap() {
+                Geometry::Mesh(mesh) => mesh,
+                Geometry::Points(_) => panic!("points where a mesh was expected"),
+            }
+        };
+        let mesh = read("texnumber");
+        assert_eq!(mesh.material_of, [1, 0, 0, 0]);
+        let texel = |mesh: &Mesh, material: usize| {
+            let texture = mesh.materials[material].base_texture.unwrap().texture;
+            mesh.textures[texture as usize].texels()[0]
+        };
+        assert_eq!([texel(&mesh, 0), texel(&mesh, 1)], [[255, 0, 0, 255], [0, 255, 0, 255]]);
+        // Where faces do not say it, it is the last one.
+        let mesh = read("flags");
+        assert_eq!((mesh.material_of.len(), mesh.materials.len(), texel(&mesh, 0)), (0, 1, [0, 255, 0, 255]));
+    }
+
+    #[test]
+    fn a_texture_without_coordinates_is_told() {
+        let text = "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex 3\nproperty float x\nproperty float y\n\
+            property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+        let notes = read_bytes(text.as_bytes()).unwrap().notes;
+        assert!(notes.len() == 1 && notes[0].contains("\"wood.png\" is left out"), "{notes:?}");
     }
 
     #[test]

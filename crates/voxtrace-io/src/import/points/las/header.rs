@@ -27,6 +27,8 @@ pub(super) struct Header {
     pub size: u64,
     /// Number of variable length records after it.
     pub records: u32,
+    /// Number of extended records behind the points, and where the first begins.
+    pub extended: (u32, u64),
     /// Where the points begin.
     pub data: u64,
     pub scale: DVec3,
@@ -88,6 +90,11 @@ impl Header {
         let short_count = u64::from(u32::from_le_bytes(array(bytes, 107)));
         let long_count = if has_long_records { u64::from_le_bytes(array(bytes, 247)) } else { 0 };
         let (points, points_at) = if long_count > 0 { (long_count, 247) } else { (short_count, 107) };
+        let extended = if has_long_records {
+            (u32::from_le_bytes(array(bytes, 243)), u64::from_le_bytes(array(bytes, 235)))
+        } else {
+            (0, 0)
+        };
         let data = u64::from(u32::from_le_bytes(array(bytes, 96)));
         if data < size {
             return Err(ImportError::malformed(path, 96, "the points begin inside the header"));
@@ -111,6 +118,7 @@ impl Header {
             points_at,
             size,
             records,
+            extended,
             data,
             scale,
             offset,

@@ -1,7 +1,7 @@
 //! ESRI ASCII grids, `.asc`: lines of a key and a number, then the heights, row by row from the north.
 
 use super::{DEGREE, Heights, Map};
-use crate::import::source::input::Input;
+use crate::import::source::input::{Input, without_mark};
 use voxtrace_scene::scene::LengthUnit;
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -25,6 +25,7 @@ struct Header {
 
 /// Whether a file begins as a grid does.
 pub(super) fn is_grid(head: &[u8]) -> bool {
+    let head = without_mark(head);
     let begins = |key: &[u8]| head.get(..key.len()).is_some_and(|head| head.eq_ignore_ascii_case(key));
     let behind = head.get(5).is_some_and(u8::is_ascii_whitespace);
     (begins(b"ncols") || begins(b"nrows")) && behind
@@ -34,7 +35,7 @@ pub(super) fn is_grid(head: &[u8]) -> bool {
 pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportError> {
     let path = input.path();
     let mut header = Header::default();
-    while input.peek(1)?.first().is_some_and(|byte| byte.is_ascii_alphabetic()) {
+    while without_mark(input.peek(4)?).first().is_some_and(|byte| byte.is_ascii_alphabetic()) {
         let offset = input.offset();
         let line = input.line()?.unwrap_or_default();
         let text = String::from_utf8_lossy(line.get(..line.len().min(200)).unwrap_or_default()).into_owned();

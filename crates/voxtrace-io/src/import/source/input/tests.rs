@@ -19,6 +19,13 @@ fn lines_end_with_either_sign_or_the_file() {
 }
 
 #[test]
+fn what_marks_a_text_as_utf_8_is_no_part_of_its_first_line_alone() {
+    let mut input = input("\u{feff}one\n\u{feff}two".as_bytes());
+    assert_eq!(input.line().unwrap(), Some(&b"one"[..]));
+    assert_eq!((input.offset(), input.line().unwrap()), (7, Some("\u{feff}two".as_bytes())));
+}
+
+#[test]
 fn pieces_cross_the_border_of_the_window() {
     let bytes: Vec<u8> = (0..3 * WINDOW + 5).map(|i| (i % 251) as u8).collect();
     let mut input = input(&bytes);

@@ -72,7 +72,7 @@ impl Lattice {
 /// How the samples of a chunk are stored.
 pub(super) fn layout(array: &Array, count: usize) -> Layout {
     let (sample, big_endian) = (array.sample, array.big_endian);
-    Layout { sample, big_endian, size: [count, 1, 1], components: 1, rescale: (1.0, 0.0) }
+    Layout { sample, big_endian, size: [count, 1, 1], components: 1, rescale: array.rescale }
 }
 
 /// Reads the samples of a level.

@@ -28,6 +28,8 @@ pub(super) struct Array {
     pub sharding: Option<Sharding>,
     pub(super) key: Key,
     pub names: Vec<String>,
+    /// Slope and intercept from stored to real values.
+    pub rescale: (f64, f64),
     /// Whether chunks begin with their size, as those of N5.
     pub has_head: bool,
 }
@@ -61,16 +63,34 @@ impl Array {
                 }
             }
         };
-        let array = found.map_err(|fault| match fault {
+        let mut array = found.map_err(|fault| match fault {
             Fault::Broken(what) => store.malformed(&name, what),
             Fault::Foreign(what) => store.unsupported(&name, what),
         })?;
+        let attributes = if name.ends_with(".zarray") {
+            // Samples can be read without.
+            store.json(&join(folder, ".zattrs")).unwrap_or_default()
+        } else {
+            store.json(&name)?.map(|json| json["attributes"].clone())
+        };
+        array.describe(&attributes.unwrap_or_default());
         let bytes = array.chunk_samples().saturating_mul(array.sample.size() as u64);
         let most = limits.bytes.min(isize::MAX as u64 / 2);
         if bytes > most {
             return Err(ImportError::limit(&store.path.join(name), None, "bytes of a chunk", bytes, most));
         }
         Ok(Some(array))
+    }
+
+    /// Takes what attributes say by the conventions of netCDF (CF 1.11, section 8.1), and of xarray the names of the axes.
+    fn describe(&mut self, attributes: &Value) {
+        let number = |name: &str| attributes[name].as_f64().or(attributes[name][0].as_f64());
+        let slope = number("scale_factor").filter(|&slope| slope != 0.0).unwrap_or(1.0);
+        self.rescale = (slope, number("add_offset").unwrap_or(0.0));
+        self.fill = (f64::from(self.fill) * slope + self.rescale.1) as f32;
+        if let (true, Some(names)) = (self.names.is_empty(), attributes["_ARRAY_DIMENSIONS"].as_array()) {
+            self.names = names.iter().map(|name| name.as_str().unwrap_or_default().to_owned()).collect();
+        }
     }
 
     /// Samples of a chunk.
@@ -114,7 +134,8 @@ impl Array {
         let fill = fill(&json["fill_value"]);
         let (folder, key) = (folder.into(), Key { prefix: "", separator, is_backward: false });
         let (big_endian, sharding, names) = (kind.starts_with('>'), None, Vec::new());
-        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, has_head: false }
+        let (rescale, has_head) = ((1.0, 0.0), false);
+        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, rescale, has_head }
             .checked()
     }
 
@@ -157,7 +178,8 @@ impl Array {
         let names = names.map(|name| name.as_str().unwrap_or_default().to_owned()).collect();
         let (folder, fill) = (folder.into(), fill(&json["fill_value"]));
         let key = Key { prefix, separator, is_backward: false };
-        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, has_head: false }
+        let (rescale, has_head) = ((1.0, 0.0), false);
+        Self { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, rescale, has_head }
             .checked()
     }
 

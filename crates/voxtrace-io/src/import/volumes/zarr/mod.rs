@@ -112,7 +112,7 @@ fn choose(store: &Store, scale: Option<Scale>, limits: &Limits) -> Result<(Level
                 ));
             }
         }
-        return Err(store.malformed("", "a group without a picture: name one of its arrays' folders"));
+        return Err(store.unsupported("", "a group without a picture: name one of its arrays' folders".into()));
     };
     let suits = |level: &Level| {
         let [x, y, z] = level.size();

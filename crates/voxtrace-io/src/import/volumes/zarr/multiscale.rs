@@ -7,6 +7,10 @@ use serde_json::Value;
 use voxtrace_scene::scene::Unit;
 use voxtrace_voxelize::{ImportError, Limits};
 
+/// What axes of time and of channels are called.
+const TIME: [&str; 2] = ["t", "time"];
+const CHANNEL: [&str; 2] = ["c", "channel"];
+
 /// An array of a picture, and where it lies.
 pub(super) struct Level {
     pub array: Array,
@@ -28,7 +32,7 @@ impl Level {
     pub fn alone(array: Array) -> Self {
         let axes = axes(&array, &array.names);
         let find = |names: &[&str]| array.names.iter().position(|own| names.contains(&&*own.to_ascii_lowercase()));
-        let (time, channel) = (find(&["t", "time"]), find(&["c", "channel"]));
+        let (time, channel) = (find(&TIME), find(&CHANNEL));
         Self { array, axes, spacing: [1.0; 3], origin: [0.0; 3], time, channel, channels: Vec::new() }
     }
 
@@ -38,14 +42,19 @@ impl Level {
     }
 }
 
-/// The axes called x, y and z, or the last three.
+/// The axes called x, y and z, or the last three that are called neither time nor channel.
 fn axes(array: &Array, names: &[String]) -> [Option<usize>; 3] {
     let find = |name: &str| names.iter().position(|other| other.eq_ignore_ascii_case(name));
     let count = array.shape.len();
     if names.len() == count && find("x").is_some() && find("y").is_some() {
         return [find("x"), find("y"), find("z")];
     }
-    [count.checked_sub(1), count.checked_sub(2), count.checked_sub(3)]
+    let is_space = |axis: &usize| {
+        let name = names.get(*axis).map(|name| name.to_ascii_lowercase()).unwrap_or_default();
+        !TIME.contains(&&*name) && !CHANNEL.contains(&&*name)
+    };
+    let mut last = (0..count).rev().filter(is_space);
+    [(); 3].map(|()| last.next())
 }
 
 /// The levels of the first picture of a group, from fine to coarse, and their unit; `None` where the group has none.
@@ -80,7 +89,7 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
         let is_such = |axis: &Value| axis["type"] == kind || names.contains(&name(axis).to_ascii_lowercase().as_str());
         described.iter().position(is_such)
     };
-    let (time, channel) = (find("time", ["t", "time"]), find("channel", ["c", "channel"]));
+    let (time, channel) = (find("time", TIME), find("channel", CHANNEL));
     let looks = if attributes["ome"].is_object() { &attributes["ome"]["omero"] } else { &attributes["omero"] };
     let channels: Vec<Channel> = looks["channels"].as_array().into_iter().flatten().map(look).collect();
     let mut levels = Vec::new();

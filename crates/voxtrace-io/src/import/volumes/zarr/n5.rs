@@ -44,8 +44,9 @@ fn of_attributes(folder: &str, json: &Value) -> Result<Array, Fault> {
     let names = json["axes"].as_array().into_iter().flatten().rev();
     let names = names.map(|name| name.as_str().unwrap_or_default().to_owned()).collect();
     let key = Key { prefix: "", separator: "/", is_backward: true };
-    let (folder, fill, big_endian) = (folder.into(), 0.0, true);
-    Array { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding: None, key, names, has_head: true }
+    let (folder, fill, big_endian, sharding) = (folder.into(), 0.0, true, None);
+    let (rescale, has_head) = ((1.0, 0.0), true);
+    Array { folder, shape, chunk, sample, big_endian, fill, codecs, order, sharding, key, names, rescale, has_head }
         .checked()
 }
 

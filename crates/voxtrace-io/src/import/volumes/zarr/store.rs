@@ -85,7 +85,8 @@ impl Store {
     /// A file of JSON, `None` where there is none.
     pub fn json(&self, name: &str) -> Result<Option<Value>, ImportError> {
         let Some(bytes) = self.get(name)? else { return Ok(None) };
-        match serde_json::from_slice(&bytes) {
+        let read = serde_json::from_slice(&bytes);
+        match read.or_else(|error| serde_json::from_slice(&without_numbers_of_python(&bytes)).map_err(|_| error)) {
             Ok(value) => Ok(Some(value)),
             Err(error) => Err(self.malformed(name, &error.to_string())),
         }
@@ -100,6 +101,37 @@ impl Store {
     }
 }
 
+/// JSON with `null` for `NaN` and `Infinity`, which are none, but which Python writes.
+fn without_numbers_of_python(json: &[u8]) -> Vec<u8> {
+    let (mut found, mut rest, mut is_text) = (Vec::with_capacity(json.len()), json, false);
+    while let [first, after @ ..] = rest {
+        let words: [&[u8]; 3] = [b"NaN", b"Infinity", b"-Infinity"];
+        if let Some(after) = words.iter().find_map(|word| rest.strip_prefix(*word)).filter(|_| !is_text) {
+            found.extend(b"null");
+            rest = after;
+            continue;
+        }
+        // What stands behind a backslash ends no text.
+        let taken = if is_text && *first == b'\\' { rest.len().min(2) } else { 1 };
+        is_text ^= *first == b'"';
+        found.extend(&rest[..taken]);
+        rest = &after[taken - 1..];
+    }
+    found
+}
+
 fn is_absent(kind: ErrorKind) -> bool {
     matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_python_writes_into_json_are_null_outside_of_texts() {
+        let found = without_numbers_of_python(br#"{"a": NaN, "b\"NaN": [-Infinity, Infinity, -1], "c": "NaN\\"}"#);
+        assert_eq!(found, br#"{"a": null, "b\"NaN": [null, null, -1], "c": "NaN\\"}"#);
+        assert_eq!(without_numbers_of_python(b"\"\\"), b"\"\\");
+    }
 }
