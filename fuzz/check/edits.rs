@@ -121,9 +121,15 @@ fn edit_plainly(voxels: &mut Voxels, edit: &Edit) {
             }
         }
         Edit::Extrude { layer, face, distance } => {
-            for voxel in places(*layer) {
-                let Some(&material) = voxels.get(&voxel) else { continue };
-                (1..=*distance).for_each(|step| set(voxels, voxel + face.normal() * step, Some(material)));
+            let was = voxels.clone();
+            for voxel in places(*layer).filter(|voxel| was.contains_key(voxel)) {
+                for step in 1..=*distance {
+                    // The nearest voxel of the layer below counts, for what is there itself too.
+                    let to = voxel + face.normal() * step;
+                    let mut below = (0..=step).map(|step| to - face.normal() * step).filter(|&at| layer.contains(at));
+                    let nearest = below.find_map(|at| was.get(&at).copied());
+                    set(voxels, to, nearest);
+                }
                 (0..-*distance).for_each(|step| set(voxels, voxel - face.normal() * step, None));
             }
         }

@@ -56,6 +56,10 @@ pub fn open_numbered(path: &Path) -> Result<Vec<(u32, Camera)>, Failure> {
     parse_all(&text).map_err(|reason| failure(format!("cameras {}: {reason}", path.display())))
 }
 
+/// Numbers that lenses have.
+const LENS_SETTINGS: [&str; 7] =
+    ["aperture", "focus", "blades", "blade_rotation", "view_height", "eye_distance", "fisheye_angle"];
+
 /// What a file of cameras looks like.
 const FLIGHT_HINT: &str =
     "each camera is a table [bookmarks.N] with eye = [x, y, z] and target = [x, y, z]; the window keeps such";
@@ -79,12 +83,20 @@ fn own_camera(table: &toml::Table, name: &str) -> Result<Camera, String> {
     let (eye, target) = (required("eye")?, required("target")?);
     let camera = Camera::look_at(eye, target);
     let up = vector(table, "up")?.unwrap_or(camera.up);
+    if eye == target {
+        return Err("the camera stands on its target".into());
+    }
+    if up == Vec3::ZERO {
+        return Err("`up` has no length".into());
+    }
     let fov_y = fov(number(table, "fov_y")?)?;
     let name = table.get("name").and_then(toml::Value::as_str).unwrap_or(name).to_owned();
     let lens = match table.get("lens") {
         None => Lens::Pinhole,
         Some(lens) => {
             let lens = lens.as_str().ok_or("`lens` is not a name in quotes")?;
+            // What is no number is not taken for missing.
+            LENS_SETTINGS.iter().try_for_each(|key| number(table, key).map(drop))?;
             Lens::from_settings(lens, |key| number(table, key).ok().flatten().map(|value| value as f32))?
         }
     };
@@ -152,6 +164,11 @@ mod tests {
         let wide = format!("{text}\nlens = \"fisheye\"\nfisheye_angle = 200");
         assert_eq!(parse(&wide, "porch").unwrap().camera.lens, Lens::Fisheye { fisheye_angle: 200.0 });
         assert!(parse(&format!("{text}\nlens = \"thin-lens\""), "porch").unwrap_err().contains("`aperture`"));
+        // A number in quotes is none, and does not become the default.
+        for wrong in ["lens = \"fisheye\"\nfisheye_angle = \"200\"", "lens = \"panorama\"\neye_distance = nan"] {
+            let told = parse(&format!("{text}\n{wrong}"), "porch").unwrap_err();
+            assert!(told.ends_with("is not a finite number"), "{told}");
+        }
         let named = format!("name = \"door\"\n{text}");
         assert_eq!(parse(&named, "porch").unwrap().camera.name, "door");
     }
@@ -204,6 +221,8 @@ mod tests {
         assert!(fails("eye = [1, 2, 3]").contains("`target`"));
         assert!(fails("eye = [1, 2]\ntarget = [0, 0, 0]").contains("`eye`"));
         assert!(fails("eye = [1, 2, nan]\ntarget = [0, 0, 0]").contains("`eye`"));
+        assert!(fails("eye = [1, 2, 3]\ntarget = [1, 2, 3]").contains("on its target"));
+        assert!(fails("eye = [1, 2, 3]\ntarget = [0, 0, 0]\nup = [0, 0, 0]").contains("`up`"));
         assert!(fails("x = 1\ny = 2").contains("`z`"));
         assert!(fails("x = 1\ny = 2\nz = inf").contains("`z`"));
         assert!(fails("x = 1\ny = 2\nz = 3\nfov = 180").contains("field of view"));

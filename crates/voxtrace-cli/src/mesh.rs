@@ -343,9 +343,11 @@ pub fn voxelize_failure(path: &Path, error: VoxelizeError) -> Failure {
         VoxelizeError::Empty | VoxelizeError::NoPoints => Failure::input(message),
         VoxelizeError::TooThin(_) => Failure::usage(message).hint("a smaller --min-points or larger voxels"),
         VoxelizeError::Missing(_) => Failure::usage(message).hint("another --color-by"),
-        VoxelizeError::TooLarge { .. } => {
+        VoxelizeError::TooLarge { what: "voxels", .. } => {
             Failure::usage(message).hint("a smaller --resolution or larger --voxel-size; --trusted lifts the limits")
         }
+        // What a grid cannot have nobody can lift.
+        VoxelizeError::TooLarge { .. } => Failure::usage(message).hint("a smaller --resolution or larger --voxel-size"),
         VoxelizeError::BadScale(_) => Failure::usage(message),
         VoxelizeError::Import(error) => import_failure(&error),
         _ => Failure::other(message),
@@ -371,7 +373,15 @@ pub fn bytes(value: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::number;
+    use super::*;
+
+    #[test]
+    fn limits_that_nobody_can_lift_are_told_without_the_option_that_lifts_limits() {
+        let failure =
+            |what| voxelize_failure(Path::new("a.obj"), VoxelizeError::TooLarge { what, needed: 9, limit: 8 }).line();
+        assert!(failure("voxels").contains("--trusted"));
+        assert!(!failure("voxels along an axis").contains("--trusted"), "{}", failure("voxels along an axis"));
+    }
 
     #[test]
     fn counts_have_at_most_four_digits() {

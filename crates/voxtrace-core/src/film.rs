@@ -131,6 +131,9 @@ pub enum MergeError {
     /// Only one of the films has light groups, or they differ.
     #[error("the films have different light groups")]
     Groups,
+    /// A film was interrupted while the light of a group was gathered: the group has fewer samples than the picture.
+    #[error("a film is incomplete: not all samples have the light of {}; resume it first", .0.name())]
+    IncompleteGroup(LightGroup),
 }
 
 impl Film {
@@ -152,6 +155,14 @@ impl Film {
     pub fn sample_range(&self) -> (u32, u32) {
         let counts = || self.pixels.iter().map(|pixel| pixel.samples);
         (counts().min().unwrap_or(0), counts().max().unwrap_or(0))
+    }
+
+    /// The first light group that has not the samples of the picture, as where its light was still gathered when a render was interrupted.
+    #[doc(hidden)]
+    pub fn unfinished_group(&self) -> Option<LightGroup> {
+        let differs =
+            |pixels: &[Pixel]| pixels.iter().zip(&self.pixels).any(|(own, pixel)| own.samples != pixel.samples);
+        self.groups.iter().find(|(_, pixels)| differs(pixels)).map(|(group, _)| *group)
     }
 
     /// Adds the samples of `other`, which must show the same region and hold the samples just before or just after
@@ -176,6 +187,9 @@ impl Film {
         if a1.is_none() || b1.is_none() || (a1 != Some(b0) && b1 != Some(a0)) {
             let [a1, b1] = [a1, b1].map(|end| end.unwrap_or(u32::MAX));
             return Err(MergeError::Samples(a0, a1, b0, b1));
+        }
+        if let Some(group) = self.unfinished_group().or(other.unfinished_group()) {
+            return Err(MergeError::IncompleteGroup(group));
         }
         let has_same_groups =
             self.groups.len() == other.groups.len()
@@ -219,6 +233,17 @@ mod tests {
             let mut merged = one.clone();
             assert!(matches!(merged.merge(&other), Err(MergeError::Samples(..))));
             assert_eq!(merged, one);
+        }
+        // Sums of a group that lack samples would count for others when the film is continued.
+        let with_sun = |film: Film, samples: u32| {
+            let sun = film.pixels.iter().map(|pixel| Pixel { samples, ..*pixel }).collect();
+            Film { groups: vec![(LightGroup::Sun, sun)], ..film }
+        };
+        assert_eq!(with_sun(film(0, 4), 4).merge(&with_sun(film(4, 4), 4)), Ok(()));
+        for samples in [[2, 2], [4, 2], [2, 4]] {
+            let (mut one, other) = (with_sun(film(0, 4), samples[0]), with_sun(film(4, 4), samples[1]));
+            assert_eq!(one.merge(&other), Err(MergeError::IncompleteGroup(LightGroup::Sun)));
+            assert_eq!(one, with_sun(film(0, 4), samples[0]));
         }
         let short = Film { pixels: film(4, 1).pixels[..1].to_vec(), ..film(4, 1) };
         assert!(matches!(film(0, 4).merge(&short), Err(MergeError::Region(..))));

@@ -53,8 +53,9 @@ impl HeldFilm {
     /// [`TraceError::NoFilm`] where none is held; what [`Frame::check`] and [`Frame::check_film`] say.
     pub fn take_for(&mut self, frame: &Frame) -> Result<Film, TraceError> {
         frame.check()?;
-        let (_, film) = self.0.take().ok_or(TraceError::NoFilm)?;
-        frame.check_film(&film)?;
-        Ok(film)
+        // A frame of another kind leaves it.
+        let (_, film) = self.0.as_ref().ok_or(TraceError::NoFilm)?;
+        frame.check_film(film)?;
+        self.0.take().map(|(_, film)| film).ok_or(TraceError::NoFilm)
     }
 }

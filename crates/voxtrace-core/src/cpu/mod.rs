@@ -181,9 +181,13 @@ impl Tracer for CpuTracer {
     }
 
     fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+        // A placement that does not fit leaves the film.
+        let placed = placement.map(|placement| self.scene()?.with_placement(placement).map_err(TraceError::from));
+        let placed = placed.transpose()?;
         let film = self.film.take_for(frame)?;
-        if let Some(placement) = placement {
-            self.set_placement(placement)?;
+        if let Some(scene) = placed {
+            self.scene = Some(Arc::new(scene));
+            self.surrounding = OnceLock::new();
         }
         self.film.hold(frame, film);
         Ok(())
@@ -246,4 +250,39 @@ fn aov_pixels(scene: &PackedScene, frame: &Frame, camera: &CameraFrame) -> Vec<A
         }
     });
     pixels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{IVec3, Vec3};
+    use voxtrace_scene::{Camera, Material, Scene, VoxelGrid};
+
+    fn row(length: i32) -> PackedScene {
+        let mut grid = VoxelGrid::new();
+        (0..length).for_each(|x| _ = grid.set(IVec3::new(x, 0, 0), 0));
+        PackedScene::pack(&Scene::from_grid("row", grid, vec![Material::default()])).unwrap()
+    }
+
+    #[test]
+    fn a_moment_that_is_refused_leaves_the_film() {
+        let (scene, other) = (row(3), row(4));
+        let frame = Frame::new(Camera::look_at(Vec3::new(9.0, 8.0, 7.0), Vec3::ZERO), 8, 6);
+        let mut tracer = CpuTracer::new(None);
+        tracer.set_scene(&Arc::new(scene.clone())).unwrap();
+        tracer.render(&frame, &Progress::default()).unwrap();
+        let film = |tracer: &mut CpuTracer| {
+            let mut film = Film::new(8, 6, frame.region, 0);
+            tracer.read(&mut film).map(|()| film)
+        };
+        let before = film(&mut tracer).unwrap();
+        let foreign = tracer.set_moment(Some(other.placement()), &frame);
+        assert!(matches!(foreign, Err(TraceError::Placement(_))), "{foreign:?}");
+        assert_eq!(film(&mut tracer).as_ref(), Ok(&before));
+        let larger = tracer.set_moment(Some(scene.placement()), &frame.clone().size(9, 6));
+        assert!(matches!(larger, Err(TraceError::BadFrame(_))), "{larger:?}");
+        assert_eq!(film(&mut tracer).as_ref(), Ok(&before));
+        tracer.set_moment(Some(scene.placement()), &frame).unwrap();
+        assert_eq!(film(&mut tracer).as_ref(), Ok(&before));
+    }
 }

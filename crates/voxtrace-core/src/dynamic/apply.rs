@@ -1,16 +1,20 @@
 //! Bricks with new words take the places of those that were: the one way in which a grid changes, whether it is edited, undone or redone.
 
-use super::cells::{Cell, ChangedCells};
+use super::cells::{BRICK_SHIFT, Cell, ChangedCells, top_position};
 use super::emitters::{changes_of, emitters_of, with_neighbours};
+use super::grow::most_of_top;
 use super::history::Entry;
 use super::plan::Change;
 use super::store::BrickCode;
 use super::{DynamicScene, Edit, EditError, Edited};
-use crate::packed::{CELL_OCCUPIED, LightNode, Placement};
+use crate::packed::{CELL_OCCUPIED, LightNode, PackedGrid, Placement};
 use glam::IVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
+
+/// Most levels of nodes above a brick: the coarsest cells of that many are wider than a grid.
+const MOST_LEVELS: u32 = 9;
 
 impl DynamicScene {
     /// Edits the voxels of a grid, which all its instances show. Nothing of it is seen by tracers before they get the next patch.
@@ -102,17 +106,52 @@ impl DynamicScene {
         let geometry = self.geometry();
         let bricks = geometry.bricks.len() as u64 + words(|code| code.record.len());
         let materials = geometry.brick_materials.len() as u64 + words(|code| code.materials.len());
-        // Bricks that there are, or that become empty, need no cells.
+        // Mostly there is plenty of room, and nobody has to count.
+        let most_cells =
+            geometry.cells.len() as u64 + 1024 * changes.len() as u64 + self.most_top_cells(grid, changes.len());
+        let cells = if most_cells < limit { most_cells } else { self.cells_with(grid, changes) };
+        if bricks < limit && materials < limit && cells < limit { Ok(()) } else { Err(EditError::Full) }
+    }
+
+    /// Cells that there are at most with changes of a grid, each node that they may need counted once.
+    fn cells_with(&self, grid: u32, changes: &[Change]) -> u64 {
+        let geometry = self.geometry();
         let packed = geometry.grids.get(grid as usize);
-        let is_new = |(at, code): &Change| {
+        // Bricks that there are, or that become empty, need no cells.
+        let is_new = |(at, code): &&Change| {
             code.is_some() && packed.is_none_or(|packed| geometry.find_brick(packed, *at * BRICK_SIZE).is_none())
         };
-        let most_cells = |count: usize| geometry.cells.len() as u64 + 1024 * count as u64;
-        let cells = match most_cells(changes.len()) {
-            cells if cells < limit => cells,
-            _ => most_cells(changes.par_iter().filter(|change| is_new(change)).count()),
+        let mut places: Vec<IVec3> = changes.par_iter().filter(is_new).map(|(at, _)| *at).collect();
+        // Cells of a grid that is still to come begin at its lowest brick.
+        let lowest = places.iter().copied().reduce(IVec3::min).unwrap_or_default();
+        let origin = packed.map_or(lowest, |packed| packed.origin >> BRICK_SHIFT as i32);
+        places.par_iter_mut().for_each(|at| *at -= origin);
+        let is_within = |packed: &PackedGrid| {
+            let shift = packed.top_shift as i32 - BRICK_SHIFT as i32;
+            places.par_iter().all(|&at| top_position(packed, at >> shift).is_some())
         };
-        if bricks < limit && materials < limit && cells < limit { Ok(()) } else { Err(EditError::Full) }
+        let top = if packed.is_some_and(is_within) { 0 } else { self.most_top_cells(grid, changes.len()) };
+        let mut nodes = 0;
+        for _ in 0..MOST_LEVELS {
+            places.par_iter_mut().for_each(|at| *at >>= 2);
+            places.dedup();
+            places.par_sort_unstable_by_key(|at| (at.z, at.y, at.x));
+            places.dedup();
+            nodes += places.len() as u64;
+        }
+        geometry.cells.len() as u64 + 64 * nodes + top
+    }
+
+    /// Most cells that it takes to make the top array of a grid reach so many more bricks.
+    fn most_top_cells(&self, grid: u32, bricks: usize) -> u64 {
+        let Some(packed) = self.geometry().grids.get(grid as usize) else { return most_of_top(bricks as u64) };
+        let (mut size, mut cells) = (packed.top_size.as_i64vec3(), 0);
+        for _ in 0..MOST_LEVELS {
+            // Its cells become those of nodes below a coarser one.
+            size = (size + 3) >> 2;
+            cells += 65 * size.element_product() as u64 + 64;
+        }
+        cells + most_of_top(self.bricks[grid as usize] + bricks as u64)
     }
 
     /// Makes the cells of a grid reach all bricks that are not empty.

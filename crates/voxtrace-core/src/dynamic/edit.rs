@@ -50,7 +50,8 @@ pub enum Edit {
         /// Whether its empty voxels count too.
         with_empty: bool,
     },
-    /// The voxels of a layer that are there are drawn out along a face, or pushed in.
+    /// The voxels of a layer that are there are drawn out along a face, or pushed in. In a layer of several voxels all count as they were before, and
+    /// none of them is replaced by another one that is drawn out.
     Extrude {
         /// The layer, one voxel thick as a rule.
         layer: VoxelBox,

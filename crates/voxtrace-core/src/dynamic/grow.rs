@@ -19,6 +19,11 @@ fn volume(size: I64Vec3) -> u64 {
     size.to_array().iter().map(|&n| n as u64).product()
 }
 
+/// Most top cells of a grid of so many bricks.
+pub(super) fn most_of_top(bricks: u64) -> u64 {
+    (bricks * CELLS_PER_BRICK).max(FEW_CELLS)
+}
+
 /// Top cells to add below and above, so that bricks from `low` to before `high` have a place; with some more on these sides, as far as voxels may
 /// lie, where there is `room`.
 fn missing(grid: &PackedGrid, low: IVec3, high: IVec3, has_room: bool) -> (IVec3, IVec3) {
@@ -46,7 +51,7 @@ impl Store<'_> {
         if below == IVec3::ZERO && above == IVec3::ZERO {
             return false;
         }
-        let most = (bricks * CELLS_PER_BRICK).max(FEW_CELLS);
+        let most = most_of_top(bricks);
         loop {
             let packed = self.geometry.grids[grid];
             let fitting = [true, false]

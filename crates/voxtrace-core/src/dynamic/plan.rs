@@ -11,8 +11,9 @@ use super::{DynamicScene, Edit, EditError};
 use crate::packed::{CELL_OCCUPIED, Geometry, encode_brick};
 use glam::IVec3;
 use rayon::prelude::*;
+use std::f64::consts::PI;
 use voxtrace_scene::Shape;
-use voxtrace_scene::brick::Brick;
+use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::{MAX_COORDINATE, VoxelBox, brick_of};
 
 /// A brick that becomes another one: its coordinates and its words, `None` where it becomes empty.
@@ -20,6 +21,8 @@ pub(super) type Change = (IVec3, Option<BrickCode>);
 
 /// Bricks that one task edits.
 const CHUNK: usize = 16;
+/// In a box of fewer bricks all are looked at.
+const MANY_BRICKS: u64 = 1 << 12;
 const FULL: [u64; 8] = [u64::MAX; 8];
 
 /// A brick of some voxels of one material.
@@ -123,20 +126,7 @@ impl DynamicScene {
     fn plan_fill(&self, grid: u32, shape: &Shape, material: u16, replaces: bool) -> Result<Vec<Change>, EditError> {
         let Some(region) = bounds_of(shape)? else { return Ok(Vec::new()) };
         check_range(region)?;
-        let (low, high) = brick_box(region);
-        let size = (high - low).as_i64vec3();
-        let bricks = size.element_product() as u64;
-        if bricks > MOST_BRICKS {
-            return Err(EditError::TooLarge { bricks });
-        }
-        let place = |index: i64| {
-            low + IVec3::new(
-                (index % size.x) as i32,
-                (index / size.x % size.y) as i32,
-                (index / (size.x * size.y)) as i32,
-            )
-        };
-        let bricks: Vec<IVec3> = (0..bricks as i64).map(place).collect();
+        let bricks = bricks_of(shape, brick_box(region))?;
         let filled = solid(FULL, material);
         Ok(self.planned(grid, &bricks, |at, brick| match shape.mask(at) {
             [0, 0, 0, 0, 0, 0, 0, 0] => None,
@@ -185,6 +175,63 @@ impl DynamicScene {
         };
         bricks.par_iter().with_min_len(CHUNK).filter_map(edit).collect()
     }
+}
+
+/// The bricks of a box, from the lowest to before the highest, that a shape may touch, as they lie.
+///
+/// # Errors
+/// [`EditError::TooLarge`] where they are too many.
+fn bricks_of(shape: &Shape, (low, high): (IVec3, IVec3)) -> Result<Vec<IVec3>, EditError> {
+    let size = (high - low).as_i64vec3();
+    let all = size.element_product() as u64;
+    let too_large = || EditError::TooLarge { bricks: all };
+    let inside = match *shape {
+        Shape::Capsule { from, to, radius } => {
+            PI * radius * radius * (from.distance(to) + radius * 4.0 / 3.0) / f64::from(BRICK_SIZE.pow(3))
+        }
+        _ => all as f64,
+    };
+    if inside > MOST_BRICKS as f64 {
+        return Err(too_large());
+    }
+    // A long stroke has a large box, most of which it is far away from.
+    if all > MOST_BRICKS || (all >= MANY_BRICKS && inside < all as f64 / 4.0) {
+        let (mut found, mut waiting) = (Vec::new(), vec![(low, high)]);
+        while let Some((low, high)) = waiting.pop() {
+            if !may_touch(shape, low, high) {
+                continue;
+            }
+            let size = high - low;
+            if size == IVec3::ONE {
+                found.push(low);
+                if found.len() as u64 > MOST_BRICKS {
+                    return Err(too_large());
+                }
+                continue;
+            }
+            let axis = size.max_position();
+            let middle = low[axis] + size[axis] / 2;
+            let (mut below, mut above) = (high, low);
+            (below[axis], above[axis]) = (middle, middle);
+            waiting.extend([(low, below), (above, high)]);
+        }
+        found.par_sort_unstable_by_key(|at| (at.z, at.y, at.x));
+        return Ok(found);
+    }
+    let place = |index: i64| {
+        let at = [index % size.x, index / size.x % size.y, index / (size.x * size.y)];
+        low + IVec3::from_array(at.map(|at| at as i32))
+    };
+    Ok((0..all as i64).map(place).collect())
+}
+
+/// Whether a capsule may have voxels in the bricks from `low` to before `high`: whether it comes as near to their middle as their corners.
+fn may_touch(shape: &Shape, low: IVec3, high: IVec3) -> bool {
+    let Shape::Capsule { from, to, radius } = *shape else { return true };
+    let (low, high) = ((low * BRICK_SIZE).as_dvec3(), (high * BRICK_SIZE).as_dvec3());
+    // Of the voxel whose lowest corner is the middle, the centre is asked.
+    let reach = (high - low).length() * 0.5 + 1.0;
+    radius >= 0.0 && Shape::Capsule { from, to, radius: radius + reach }.contains(((low + high) * 0.5).as_ivec3())
 }
 
 /// A shape's box, `None` where nothing is inside.

@@ -7,18 +7,28 @@ use voxtrace_scene::Face;
 use voxtrace_scene::grid::VoxelBox;
 use voxtrace_scene::ray::FACES;
 
-/// Repeats each voxel of a layer `distance` times along the outward normal of a face; a negative distance empties as many voxels from the layer inward.
+/// Repeats each voxel of a layer `distance` times along the outward normal of a face; a negative distance empties as many voxels from each inward.
+/// Voxels of a thicker layer count as they were: those that are there stay when others are drawn out, and what is empty becomes the nearest one below.
 pub(super) fn extrude(sketch: &mut Sketch, layer: VoxelBox, face: Face, distance: i32) {
-    let size = layer.size();
+    let (size, normal) = (layer.size(), face.normal());
+    // Written is ahead of the voxel, along the normal or against it: so the first is the one that has no other ahead.
+    let is_last_first = (normal * distance).cmpgt(IVec3::ZERO);
     for z in 0..size.z {
         for y in 0..size.y {
             for x in 0..size.x {
-                let voxel = layer.min + IVec3::new(x, y, z);
+                let at = IVec3::new(x, y, z);
+                let voxel = layer.min + IVec3::select(is_last_first, size - 1 - at, at);
                 let Some(material) = sketch.get(voxel) else { continue };
                 if distance >= 0 {
-                    (1..=distance).for_each(|step| sketch.set(voxel + face.normal() * step, Some(material)));
+                    let ahead = (1..=distance).map(|step| voxel + normal * step);
+                    for at in ahead {
+                        if layer.contains(at) && sketch.get(at).is_some() {
+                            break;
+                        }
+                        sketch.set(at, Some(material));
+                    }
                 } else {
-                    (0..-distance).for_each(|step| sketch.set(voxel - face.normal() * step, None));
+                    (0..-distance).for_each(|step| sketch.set(voxel - normal * step, None));
                 }
             }
         }

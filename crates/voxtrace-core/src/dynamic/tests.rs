@@ -279,6 +279,35 @@ fn edits_reach_the_ends_of_the_coordinates_and_no_farther() {
 }
 
 #[test]
+fn a_long_stroke_touches_few_bricks_of_its_box() {
+    let mut pair = Pair::new();
+    for (reach, radius) in [(100, 3.4), (5000, 1.2)] {
+        let (from, to) = (DVec3::splat(f64::from(-reach)), DVec3::new(0.9, 0.7, 1.0) * f64::from(reach));
+        let shape = Shape::Capsule { from, to, radius };
+        let edited = pair.dynamic.edit(0, &Edit::Add { shape, material: 4 }).unwrap();
+        // By every voxel near the line, a slice after the other.
+        let (mut found, mut added) = (0, 0);
+        for z in -reach - 4..reach + 4 {
+            let at = from + (to - from) * ((f64::from(z - reach) / f64::from(2 * reach) + 1.0).clamp(0.0, 1.0));
+            for (x, y) in (-9..9).flat_map(|y| (-9..9).map(move |x| (x, y))) {
+                let voxel = at.floor().as_ivec3().with_z(z) + IVec3::new(x, y, 0);
+                if shape.contains(voxel) {
+                    found += 1;
+                    added += i64::from(pair.plain.grids[0].get(voxel).is_none());
+                    assert!(pair.dynamic.voxel(0, voxel).is_some(), "{voxel}");
+                }
+            }
+        }
+        assert!(found > 2 * reach && added == edited.voxels, "{found} {added} {edited:?}");
+        pair.dynamic.validate().unwrap();
+        pair.dynamic.undo().unwrap().unwrap();
+    }
+    let thick = Shape::Capsule { from: DVec3::splat(-5000.0), to: DVec3::splat(5000.0), radius: 900.0 };
+    let too_large = pair.dynamic.edit(0, &Edit::Fill { shape: thick, material: Some(0) });
+    assert!(matches!(too_large, Err(EditError::TooLarge { .. })), "{too_large:?}");
+}
+
+#[test]
 fn boxes_may_have_corners_as_far_out_as_numbers_go() {
     let mut pair = Pair::new();
     let everywhere = VoxelBox { min: IVec3::MIN, max: IVec3::MAX };
@@ -302,7 +331,15 @@ fn what_becomes_empty_or_another_material_needs_no_room_and_what_cannot_be_undon
     assert!(scene.voxel(0, IVec3::new(0, 0, -1)).is_some());
     assert_eq!(scene.check_room(0, &vec![(far, None); count]), Ok(()));
     assert_eq!(scene.check_room(0, &vec![(own, code.clone()); count]), Ok(()));
-    let new = vec![(far, code); count];
+    // Neighbours share the nodes above them.
+    let block = |index: usize| IVec3::new(index as i32 & 127, index as i32 >> 7 & 127, index as i32 >> 14) + far;
+    let filled: Vec<_> = (0..count).map(|index| (block(index), code.clone())).collect();
+    assert_eq!((scene.check_room(0, &filled), scene.check_room(7, &filled)), (Ok(()), Ok(())));
+    drop(filled);
+    // A grid of so many bricks that its top array cannot reach farther.
+    let new = vec![(far, code)];
+    assert_eq!(scene.check_room(0, &new), Ok(()));
+    scene.bricks[0] = 1 << 29;
     assert_eq!(scene.check_room(0, &new), Err(EditError::Full));
     scene.history.push(Entry { grid: 0, bricks: new });
     assert_eq!((scene.undo(), scene.undo_steps()), (Err(EditError::Full), (1, 0)));

@@ -132,25 +132,27 @@ impl Geometry {
         if !glows.contains(&true) {
             return 0;
         }
-        let count = |record: usize| u64::from(self.count_glowing(record, &glows));
-        if self.is_edited {
+        let count = |record: usize, entry_bits: u32| u64::from(self.count_glowing(record, entry_bits, &glows));
+        let entry_bits = self.grids.first().map_or(8, |grid| grid.material_bits);
+        // What was added behind 256 materials has longer entries than the rest.
+        if self.is_edited || self.grids.iter().any(|grid| grid.material_bits != entry_bits) {
             let of_grid = |grid: &PackedGrid| {
                 let bricks = self.bricks_of(grid).into_iter();
-                bricks.filter_map(|at| self.find_brick(grid, grid.origin + at * 8)).map(count).sum::<u64>()
+                let records = bricks.filter_map(|at| self.find_brick(grid, grid.origin + at * 8));
+                records.map(|record| count(record, grid.material_bits)).sum::<u64>()
             };
             return self.grids.iter().map(of_grid).sum();
         }
         let (mut record, mut total) = (0, 0);
         while record + 1 < self.bricks.len() {
-            total += count(record);
+            total += count(record, entry_bits);
             record += 2 + 2 * (self.bricks[record] & 0xff).count_ones() as usize;
         }
         total
     }
 
     /// Voxels of a brick whose material glows.
-    fn count_glowing(&self, record: usize, glows: &[bool]) -> u32 {
-        let entry_bits = self.grids.first().map_or(8, |grid| grid.material_bits);
+    fn count_glowing(&self, record: usize, entry_bits: u32, glows: &[bool]) -> u32 {
         let header = self.bricks[record];
         let voxels = self.voxels_of(record);
         let (index_bits, palette) = (header >> HEADER_INDEX_BITS & 0xff, header >> HEADER_PALETTE);
@@ -234,6 +236,18 @@ mod tests {
             "{:?}",
             statistics.bytes
         );
+    }
+
+    #[test]
+    fn a_ground_behind_256_materials_does_not_glow() {
+        let mut scene = example();
+        scene.materials.resize(256, Material::default());
+        scene.materials[0] = Material::emissive(Vec3::ONE);
+        let packed = PackedScene::pack(&scene).unwrap();
+        let ground = crate::surroundings::Ground { height: None, color: Vec3::ONE };
+        let on_ground = packed.with_surroundings(Some(&ground), None).unwrap();
+        assert!(on_ground.grids()[0].material_bits < on_ground.grids()[1].material_bits);
+        assert_eq!((packed.statistics().emissive_voxels, on_ground.statistics().emissive_voxels), (15, 15));
     }
 
     #[test]

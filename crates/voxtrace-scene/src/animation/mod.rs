@@ -96,11 +96,8 @@ impl Animation {
                     (original.grid, original.world_from_grid);
             }
         }
-        if let Some((time, motion)) =
-            playing(scene).and_then(|(length, own)| Some((self.clip.time(seconds, length)?, own)))
-        {
-            motion.apply(scene, now, time);
-        }
+        let played = playing(scene).and_then(|(length, own)| Some((self.clip.time(seconds, length)?, own)));
+        let flat = played.map(|(time, motion)| motion.place(scene, now, time)).unwrap_or_default();
         for track in &self.objects {
             let motion = track.motions.iter().map(|motion| motion.at(seconds)).reduce(|first, next| next.after(&first));
             let (visible, grid) = (step_at(&track.visible, seconds), step_at(&track.grids, seconds));
@@ -109,7 +106,8 @@ impl Animation {
                 if let Some(motion) = motion {
                     instance.world_from_grid = motion.after(&instance.world_from_grid);
                 }
-                instance.hidden = visible.map_or(instance.hidden, |visible| !visible);
+                // What the clip leaves without a size is not seen whatever is said.
+                instance.hidden = visible.map_or(instance.hidden, |visible| !visible || flat.contains(&index));
                 instance.grid = grid.unwrap_or(instance.grid);
             }
         }
@@ -159,7 +157,7 @@ mod tests {
     use crate::material::Material;
     use crate::scene::Keyframe;
     use crate::transform::Transform;
-    use glam::{DQuat, DVec3, IVec3};
+    use glam::{DAffine3, DQuat, DVec3, IVec3};
 
     /// Two boxes of 2³ voxels; the second one has keyframes, of which the middle one shows the other grid.
     fn scene() -> Scene {
@@ -221,6 +219,26 @@ mod tests {
         animation.apply(&scene, &mut reused, 1.0);
         assert_eq!(reused, now);
         assert_ne!(animation.scene_at(&scene, 1.01), now, "the comparison sees another time");
+    }
+
+    #[test]
+    fn what_a_clip_leaves_without_a_size_is_not_shown_by_a_track() {
+        let mut scene = scene();
+        let grows = KeyTrack::new(vec![0.0, 1.0], vec![[0.0; 3], [1.0; 3]], KeyKind::Step).unwrap();
+        let rest = NodePose { translation: DVec3::ZERO, rotation: DQuat::IDENTITY, scale: DVec3::ONE };
+        let (parent_from_outer, channels) = (DAffine3::IDENTITY, vec![Channel::Scale(grows)]);
+        let motion = NodeMotion {
+            nodes: vec![MovingNode { parent: None, parent_from_outer, rest, channels }],
+            world_from_file: DAffine3::IDENTITY,
+            instances: vec![Attached { index: 0, node: 0, node_from_own: DAffine3::IDENTITY }],
+            cameras: Vec::new(),
+        };
+        scene.clips = vec![Clip { name: "grows".into(), seconds: 3.0, motion: Some(motion.into()) }];
+        let track =
+            ObjectTrack { instances: vec![0], visible: vec![(0.0, true), (2.0, false)], ..ObjectTrack::default() };
+        let animation = Animation { clip: Playback::Once, objects: vec![track], ..Animation::default() };
+        let hidden = [0.5, 1.5, 2.5].map(|seconds| animation.scene_at(&scene, seconds).instances[0].hidden);
+        assert_eq!(hidden, [true, false, true]);
     }
 
     #[test]

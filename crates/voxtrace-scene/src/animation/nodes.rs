@@ -5,6 +5,7 @@ use super::turn::slerp;
 use crate::scene::Scene;
 use crate::transform::Transform;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
+use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 /// An animation that a scene brings along.
@@ -248,7 +249,13 @@ impl NodeMotion {
 
     /// Puts the instances of a scene where they are at a time; what has no size then is hidden. `original` says which are hidden anyway.
     pub fn apply(&self, original: &Scene, now: &mut Scene, time: f64) {
+        self.place(original, now, time);
+    }
+
+    /// As [`Self::apply`]. Returns which instances have no size.
+    pub(super) fn place(&self, original: &Scene, now: &mut Scene, time: f64) -> FxHashSet<usize> {
         let maps = self.nodes_at(Some(time));
+        let mut flat = FxHashSet::default();
         for own in &self.instances {
             let (Some(instance), Some(original)) =
                 (now.instances.get_mut(own.index), original.instances.get(own.index))
@@ -260,7 +267,11 @@ impl NodeMotion {
             instance.world_from_grid = placed.unwrap_or(original.world_from_grid);
             instance.hidden = original.hidden || placed.is_none();
             instance.grid = original.grid;
+            if placed.is_none() {
+                flat.insert(own.index);
+            }
         }
+        flat
     }
 
     /// From the own space of one of [`Self::cameras`] to the world.

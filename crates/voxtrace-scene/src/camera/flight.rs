@@ -30,7 +30,8 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// The flight through `cameras`, in this order. Two of them, one after the other, that see the same are one.
+    /// The flight through `cameras`, in this order. Two of them, one after the other, that see the same are one; two in one place whose thin lenses
+    /// are set otherwise see something else.
     ///
     /// # Errors
     /// Says what is wrong: fewer than two cameras, or one that cannot send rays.
@@ -50,7 +51,9 @@ impl Flight {
         let mut of_keys: Vec<Handles> = Vec::new();
         for (camera, own) in cameras.iter().zip(handles) {
             let pose = keys.last().map_or_else(|| Pose::of(camera), |before| Pose::of(camera).beside(before));
-            match of_keys.last_mut().filter(|_| keys.last() == Some(&pose)) {
+            // In one place something else may come into focus.
+            let is_same = keys.last() == Some(&pose) && !pulls_focus(&first.lens, lenses.last(), &camera.lens);
+            match of_keys.last_mut().filter(|_| is_same) {
                 Some(before) => *before = Handles { arriving: before.arriving, ..*own },
                 None => {
                     keys.push(pose);
@@ -65,7 +68,7 @@ impl Flight {
         let sum = |of: &dyn Fn(&Pose, &Pose) -> f64| keys.windows(2).map(|pair| of(&pair[0], &pair[1])).sum::<f64>();
         let (way, turning) = (sum(&|one, other| one.eye().distance(other.eye())), sum(&Pose::angle));
         let radius = if way > 0.0 && turning > 0.0 { TURNING * way / turning } else { 1.0 };
-        // Where only the field of view changes, there is no way: such legs take as long as the shortest that there are.
+        // Where only the field of view or the focus changes, there is no way: such legs take as long as the shortest that there are.
         let ways: Vec<f64> = keys.windows(2).map(|pair| pair[0].distance(&pair[1], radius)).collect();
         let shortest = ways.iter().copied().filter(|&way| way > 0.0).fold(f64::INFINITY, f64::min);
         let shortest = if shortest.is_finite() { shortest } else { 1.0 };
@@ -109,13 +112,7 @@ impl Flight {
         if !legs.iter().all(|&leg| leg > 0.0 && leg.is_finite()) {
             return Err("the times of the cameras do not rise");
         }
-        let mut tangents = tangents(&keys, &legs, handles);
-        for (key, both) in tangents.iter_mut().enumerate() {
-            // Who stays for a while stands still then.
-            let stays = (key > 0 && keys[key - 1] == keys[key]) || keys.get(key + 1) == Some(&keys[key]);
-            let rests = |side: usize| stays && [handles[key].arriving, handles[key].leaving][side].is_none();
-            (0..2).filter(|&side| rests(side)).for_each(|side| both[side] = both[side].scaled(0.0));
-        }
+        let tangents = tangents(&keys, &legs, handles);
         let (first, last) = (first.clone(), last.clone());
         let lenses = cameras.iter().map(|(_, camera)| camera.lens).collect();
         let mut lengths = vec![0.0];
@@ -186,7 +183,17 @@ impl Flight {
 }
 
 /// Why there is no flight.
-const FEW: &str = "a flight leads through two cameras or more, in different places";
+const FEW: &str = "a flight leads through two cameras or more that differ";
+
+/// Whether aperture or focus change from one camera to the next, in a flight whose lens is that of its first camera.
+fn pulls_focus(first: &Lens, before: Option<&Lens>, lens: &Lens) -> bool {
+    let setting = |lens: &Lens| match *lens {
+        Lens::Thin { aperture, focus, .. } => Some((aperture, focus)),
+        _ => None,
+    };
+    let pair = setting(first).and(before).and_then(setting).zip(setting(lens));
+    pair.is_some_and(|(before, now)| before != now)
+}
 
 /// Whether handles are sound, and as many as cameras.
 fn check(handles: &[Handles], cameras: usize) -> Result<(), &'static str> {
@@ -212,7 +219,20 @@ fn tangents(keys: &[Pose], legs: &[f64], handles: &[Handles]) -> Vec<[Pose; 2]> 
         let (before, after) = (key.checked_sub(1).map_or(0.0, |leg| legs[leg]), legs.get(key).copied().unwrap_or(0.0));
         handles[key].tangents(before, after).map(|eye| tangent(key).with_eye(eye))
     };
-    (0..keys.len()).map(with_handles).collect()
+    let mut tangents: Vec<[Pose; 2]> = (0..keys.len()).map(with_handles).collect();
+    for (key, both) in tangents.iter_mut().enumerate() {
+        let is_free = [handles[key].arriving, handles[key].leaving].map(|handle| handle.is_none());
+        for part in Pose::PARTS {
+            let same =
+                |other: Option<&Pose>| other.is_some_and(|other| other.0[part.clone()] == keys[key].0[part.clone()]);
+            // What two cameras have in common rests between them: one that only turns stays in its place.
+            let rests = same(key.checked_sub(1).map(|before| &keys[before])) || same(keys.get(key + 1));
+            for side in (0..2).filter(|&side| rests && (part.start > 0 || is_free[side])) {
+                both[side].0[part.clone()].fill(0.0);
+            }
+        }
+    }
+    tangents
 }
 
 #[cfg(test)]
@@ -372,6 +392,67 @@ mod tests {
         cameras[1].lens = thin(0.3, 9.1);
         let flight = Flight::through(&cameras).unwrap();
         assert_eq!((flight.at(0.0), flight.at(1.0)), (cameras[0].clone(), cameras[1].clone()));
+    }
+
+    #[test]
+    fn a_focus_is_pulled_where_the_camera_stands_still() {
+        let thin = |focus| Lens::Thin { aperture: 1.0, focus, blades: 0, blade_rotation: 0.0 };
+        let stops = [around()[0].clone(), around()[1].clone(), around()[1].clone(), around()[2].clone()];
+        let cameras: Vec<Camera> = stops
+            .into_iter()
+            .zip([9.0, 10.0, 50.0, 52.0])
+            .map(|(camera, focus)| camera.with_lens(thin(focus)))
+            .collect();
+        let focus = |camera: &Camera| match camera.lens {
+            Lens::Thin { focus, .. } => focus,
+            _ => panic!("{camera:?}"),
+        };
+        let frames = |cameras: &[Camera]| {
+            let flight = Flight::through(cameras).unwrap();
+            (1..=301).map(|frame| flight.frame(frame, 301)).collect::<Vec<_>>()
+        };
+        let all = frames(&cameras);
+        let still: Vec<&Camera> = all.iter().filter(|camera| (10.5..49.5).contains(&focus(camera))).collect();
+        // Of three legs, this takes as long as the shorter one of the others.
+        assert!(still.len() > 60, "{}", still.len());
+        assert!(still.iter().all(|camera| camera.eye.abs_diff_eq(cameras[1].eye, 1e-3)));
+        assert!(
+            all.windows(2).all(|pair| focus(&pair[1]) >= focus(&pair[0]) && focus(&pair[1]) - focus(&pair[0]) < 1.0)
+        );
+        // Nothing but that, on the spot.
+        let alone = frames(&cameras[1..3]);
+        assert!((focus(&alone[150]) - 30.0).abs() < 0.1, "{}", focus(&alone[150]));
+        // Pinholes have nothing to pull: both stops are one.
+        let pinholes: Vec<Camera> = cameras.iter().map(|camera| camera.clone().with_lens(Lens::Pinhole)).collect();
+        let moving = frames(&pinholes);
+        assert!(moving.windows(2).all(|pair| pair[0].eye != pair[1].eye));
+        assert_eq!(Flight::through(&pinholes[1..3]).unwrap_err(), FEW);
+    }
+
+    #[test]
+    fn a_camera_that_turns_or_zooms_between_two_ways_stays_in_its_place() {
+        let place = [0.0, 50.0, 8.0];
+        let turns = [
+            camera([0.0, 0.0, 8.0], [0.0, 90.0, 8.0], 45.0),
+            camera(place, [0.0, 90.0, 8.0], 45.0),
+            camera(place, [90.0, 50.0, 8.0], 45.0),
+            camera(place, [90.0, 50.0, 8.0], 30.0),
+            camera([60.0, 50.0, 20.0], [90.0, 50.0, 8.0], 30.0),
+        ];
+        let keys: Vec<(f64, Camera)> = (0..5).map(f64::from).zip(turns.iter().cloned()).collect();
+        let timed = Flight::timed(&keys).unwrap();
+        for step in 0..=40 {
+            let seen = timed.at((1.0 + f64::from(step) / 20.0) / 4.0);
+            assert!(seen.eye.abs_diff_eq(place.into(), 1e-4), "{step}: {}", seen.eye);
+            assert!(step > 20 || (seen.fov_y - 45.0).abs() < 1e-4, "{step}: {}", seen.fov_y);
+        }
+        assert!(!timed.at(0.9).eye.abs_diff_eq(place.into(), 1.0), "the comparison sees another place");
+        let flight = Flight::through(&turns).unwrap();
+        let frames: Vec<Camera> = (1..=400).map(|frame| flight.frame(frame, 400)).collect();
+        let is_there = |camera: &&Camera| camera.eye.abs_diff_eq(place.into(), 1e-4);
+        assert!(frames.iter().filter(is_there).count() > 50);
+        // On its way there it never gets past.
+        assert!(frames.iter().all(|camera| camera.eye.y < 50.0 + 1e-3));
     }
 
     #[test]

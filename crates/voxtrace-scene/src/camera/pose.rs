@@ -2,6 +2,7 @@
 
 use super::{Camera, Lens};
 use glam::{DMat3, DQuat, DVec3};
+use std::ops::Range;
 
 /// Sine of the angle between view and `up` below which `up` says nothing.
 const STEEP: f64 = 1e-3;
@@ -11,6 +12,9 @@ const STEEP: f64 = 1e-3;
 pub(super) struct Pose(pub [f64; 12]);
 
 impl Pose {
+    /// What of a pose may stay while the rest changes: eye, quaternion, up, distance of the target, field of view.
+    pub const PARTS: [Range<usize>; 5] = [0..3, 3..7, 7..10, 10..11, 11..12];
+
     pub fn of(camera: &Camera) -> Self {
         let eye = camera.eye.as_dvec3();
         let offset = camera.target.as_dvec3() - eye;

@@ -95,23 +95,51 @@ impl Level {
         }
         let (width, height) = ((self.width / 2).max(1), (self.height / 2).max(1));
         let mut texels = Vec::with_capacity(width as usize * height as usize);
+        let columns: Vec<Taps> = (0..width).map(|x| Taps::of(x, self.width)).collect();
         for y in 0..height {
-            for x in 0..width {
-                let (x0, y0) = ((2 * x).min(self.width - 1), (2 * y).min(self.height - 1));
-                let (x1, y1) = ((2 * x + 1).min(self.width - 1), (2 * y + 1).min(self.height - 1));
+            let rows = Taps::of(y, self.height);
+            for columns in &columns {
                 let (mut color, mut plain, mut alpha) = (Vec3::ZERO, Vec3::ZERO, 0.0);
-                for (x, y) in [(x0, y0), (x1, y0), (x0, y1), (x1, y1)] {
-                    let texel = linear_of(self.texels[y as usize * self.width as usize + x as usize]);
-                    color += texel.truncate() * texel.w;
-                    plain += texel.truncate();
-                    alpha += texel.w;
+                for (row, of_row) in rows.iter() {
+                    for (column, of_column) in columns.iter() {
+                        let texel = linear_of(self.texels[row as usize * self.width as usize + column as usize]);
+                        let weight = of_row * of_column;
+                        color += texel.truncate() * (texel.w * weight);
+                        plain += texel.truncate() * weight;
+                        alpha += texel.w * weight;
+                    }
                 }
-                let color = if alpha > 0.0 { color / alpha } else { plain * 0.25 };
+                let color = if alpha > 0.0 { color / alpha } else { plain };
                 let [r, g, b] = color.to_array().map(srgb_from_linear);
-                texels.push([r, g, b, (alpha * 0.25 * 255.0).round() as u8]);
+                texels.push([r, g, b, (alpha * 255.0).round() as u8]);
             }
         }
         Some(Self { width, height, texels })
+    }
+}
+
+/// The texels along an axis of which one of the next mip level is the mean, and their shares.
+struct Taps {
+    first: u32,
+    shares: [f32; 3],
+    count: usize,
+}
+
+impl Taps {
+    /// Those of texel `at` where there are `size` texels. Of an odd number each is a part of one or of two that are a little wider than two.
+    fn of(at: u32, size: u32) -> Self {
+        if size == 1 {
+            return Self { first: 0, shares: [1.0, 0.0, 0.0], count: 1 };
+        }
+        if size.is_multiple_of(2) {
+            return Self { first: 2 * at, shares: [0.5, 0.5, 0.0], count: 2 };
+        }
+        let shares = [size / 2 - at, size / 2, at + 1].map(|part| part as f32 / size as f32);
+        Self { first: 2 * at, shares, count: 3 }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (u32, f32)> {
+        (self.first..).zip(self.shares).take(self.count)
     }
 }
 
@@ -179,6 +207,24 @@ mod tests {
     fn a_large_footprint_sees_the_mean_without_what_is_transparent() {
         let mean = two_by_two().sample(Vec2::splat(0.5), [Wrap::Repeat; 2], false, 4.0);
         assert!((mean - Vec4::new(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.75)).abs().max_element() < 0.01, "{mean}");
+    }
+
+    #[test]
+    fn a_mean_has_all_texels_of_a_texture_whose_size_is_odd() {
+        let [red, green, blue] = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255]];
+        let far = |width, height, texels: &[[u8; 4]]| {
+            let texture = Texture::new(width, height, texels.to_vec()).unwrap();
+            texture.sample(Vec2::splat(0.5), [Wrap::Clamp; 2], false, 1e4)
+        };
+        for mean in [far(3, 1, &[red, green, blue]), far(1, 3, &[blue, red, green])] {
+            assert!((mean - Vec4::new(1.0, 1.0, 1.0, 3.0) / 3.0).abs().max_element() < 0.01, "{mean}");
+        }
+        // Ramps of any length have the mean of their ends.
+        for count in 1..40u32 {
+            let grey: Vec<[u8; 4]> =
+                (0..count).map(|at| [255, 255, 255, ((at * 2 + 1) * 255 / (2 * count)) as u8]).collect();
+            assert!((far(count, 1, &grey).w - 0.5).abs() < 0.02, "{count}: {}", far(count, 1, &grey).w);
+        }
     }
 
     #[test]

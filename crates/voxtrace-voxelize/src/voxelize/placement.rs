@@ -1,6 +1,7 @@
 //! Where the voxel grid lies over a mesh. Vertices are snapped to a lattice much finer than a voxel. Triangles that share a vertex
 //! then agree about it, and the edge functions of lattice triangles are exact in f64.
 
+use super::polygon::TOUCH;
 use super::{Scale, VoxelizeError};
 use crate::mesh::Mesh;
 use crate::points::PointCloud;
@@ -87,7 +88,8 @@ impl Placement {
                 limit: MAX_COORDINATE as u64,
             });
         }
-        let size = (extent.ceil().as_ivec3()).max(IVec3::ONE);
+        // A quotient of a length and a part of it is rounded, up at times: that is no further voxel.
+        let size = ((extent - TOUCH).ceil().as_ivec3()).max(IVec3::ONE);
         let bits = MOST_BITS.min(COORDINATE_BITS - (size.max_element() as u32).ilog2() - 1);
         let shift = offset - origin;
         let steps = f64::from(1u32 << bits);
@@ -137,6 +139,17 @@ mod tests {
         let placed = Placement::of(&mesh, Scale::Resolution(8)).unwrap();
         assert_eq!((placed.voxel_size, placed.size), (0.5, IVec3::new(8, 4, 1)));
         assert_eq!(placed.voxels(mesh.positions[1]), DVec3::new(8.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_resolution_is_the_number_of_voxels_whatever_quotients_are_rounded_to() {
+        for length in [1.0, 0.3, 7.1, 123.456] {
+            let mesh = mesh([[0.0; 3], [length, 0.0, 0.0], [0.0, 0.5 * length, 0.0]]);
+            for count in 1..2000 {
+                let placed = Placement::of(&mesh, Scale::Resolution(count)).unwrap();
+                assert_eq!(placed.size.x, count as i32, "{length}");
+            }
+        }
     }
 
     #[test]

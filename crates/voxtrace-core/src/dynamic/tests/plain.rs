@@ -100,10 +100,14 @@ pub fn edit_plainly(grid: &mut VoxelGrid, edit: &Edit) {
             }
         }
         Edit::Extrude { layer, face, distance } => {
-            for voxel in inside(&Shape::Box(*layer)) {
-                let Some(material) = grid.get(voxel) else { continue };
+            let was = grid.clone();
+            for voxel in inside(&Shape::Box(*layer)).filter(|&voxel| was.get(voxel).is_some()) {
                 for step in 1..=*distance {
-                    grid.set(voxel + face.normal() * step, material);
+                    // The nearest voxel of the layer below counts, for what is there itself too.
+                    let to = voxel + face.normal() * step;
+                    let below = (0..=step).map(|step| to - face.normal() * step);
+                    let nearest = below.filter(|&at| layer.contains(at)).find_map(|at| was.get(at));
+                    grid.set(to, nearest.expect("the voxel itself"));
                 }
                 for step in 0..-*distance {
                     grid.clear(voxel - face.normal() * step);
