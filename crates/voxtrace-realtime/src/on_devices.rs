@@ -134,6 +134,11 @@ impl FramesOnDevice {
         }
     }
 
+    /// Nothing is known any more. Cells of the light cache are the host's to clear.
+    pub fn forget(&mut self) {
+        *self = Self { number: self.number, ..Self::new(self.parts) };
+    }
+
     /// Nothing is known of pixels any more.
     pub fn forget_pixels(&mut self) {
         self.before = None;
@@ -194,7 +199,7 @@ impl FramesOnDevice {
             before_lens_y: of_before.lens_y,
             cell_samples: self.cell_samples,
             before_place: camera.eye,
-            motions: if self.transforms.is_some() { scene.instances().len() as u32 } else { 0 },
+            motions: self.transforms.as_ref().map_or(0, |before| before.len().min(scene.instances().len())) as u32,
             before_rows: rows.map(|row| row.extend(0.0).to_array()),
             before_origin,
             pixels: frame.width * frame.height,

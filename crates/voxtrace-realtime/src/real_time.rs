@@ -83,6 +83,9 @@ pub struct RealTime {
     has_changed: bool,
     /// Where instances were at the last frame, where they are elsewhere now.
     transforms: Option<Vec<Transform>>,
+    /// How many there were at the last frame, and whether others stood there since.
+    instances: Option<usize>,
+    has_other_instances: bool,
 }
 
 /// What is kept of the last frame.
@@ -106,6 +109,8 @@ impl RealTime {
             number: 0,
             has_changed: false,
             transforms: None,
+            instances: None,
+            has_other_instances: false,
         }
     }
 
@@ -126,11 +131,14 @@ impl RealTime {
         self.cache.doubt(0.0);
     }
 
-    /// Instances stand elsewhere now; `before` is where they stood, in the same order.
+    /// Instances stand elsewhere now; `before` is where they stood, in the same order. Where there are more or fewer of them now nothing is known any more.
     pub fn move_instances(&mut self, before: &[PackedInstance]) {
         self.has_changed = true;
         self.cache.doubt(SAMPLES_WHILE_MOVING);
-        self.transforms.get_or_insert_with(|| before.iter().map(|instance| instance.world_from_grid).collect());
+        let stood =
+            self.transforms.get_or_insert_with(|| before.iter().map(|instance| instance.world_from_grid).collect());
+        // Others stood there since the last frame.
+        self.has_other_instances |= stood.len() != before.len();
     }
 
     /// What is known of each pixel.
@@ -145,6 +153,14 @@ impl RealTime {
 
     /// The radiance of each pixel of the next frame, row by row; of `frame`, the camera, size, seed and the settings of light count.
     pub fn frame(&mut self, scene: &PackedScene, frame: &Frame) -> Vec<Vec3> {
+        let instances = scene.instances().len();
+        let are_others = |known: usize| known != instances;
+        let before = self.transforms.as_ref().map(Vec::len);
+        if self.has_other_instances || before.is_some_and(are_others) || self.instances.is_some_and(are_others) {
+            // Cells of the light cache and motions go by the numbers of instances.
+            *self = Self { number: self.number, rate: self.rate, ..Self::new(self.parts) };
+        }
+        self.instances = Some(instances);
         for _ in 0..self.parts.frames_of_picture(self.before.as_ref().map(|before| &before.frame), frame) {
             self.follow(scene, frame);
         }

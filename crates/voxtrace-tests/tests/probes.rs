@@ -90,7 +90,9 @@ fn a_driver_that_merges_boxes_is_found_and_loses_the_trust_in_numbers() {
     let finding = &report.probe("P2").unwrap().findings[0];
     assert!(finding.counts["missing candidates"] > 0 && finding.counts["approximate hits wrong"] > 0, "{finding:?}");
     assert!(finding.says.contains("all do where boxes do not touch"), "{}", finding.says);
-    for traversal in [Traversal::Pipeline, Traversal::Query] {
+    // A device may have only one of them.
+    let had = |traversal: &Traversal| report.finding("P2", *traversal).unwrap().outcome != Outcome::NotApplicable;
+    for traversal in [Traversal::Pipeline, Traversal::Query].into_iter().filter(had) {
         assert!(report.distrusts(traversal, Primitive::Brick).unwrap().contains("merged"));
         assert_eq!(report.trusted(traversal), Some(Primitive::Grid), "identity from position is safe");
     }

@@ -148,7 +148,8 @@ impl Device {
     /// # Errors
     /// [`TraceError::Unsupported`] where it does not come back; what the driver answers.
     pub fn reopened(&self) -> Result<Arc<Self>, TraceError> {
-        // A lost instance may not list its devices any more: start from the loader.
+        // Where a window or validation made the instance it is made anew, as it may not list the device any more; the plain one, which others
+        // use as well, stays open, and lists it again.
         let vulkan = Vulkan::open(self.vulkan.options.clone())?;
         let same = |info: &DeviceInfo| info.name == self.info.name && info.index == self.info.index;
         let found = list(&vulkan)?.into_iter().find(same);

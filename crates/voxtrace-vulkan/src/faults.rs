@@ -144,6 +144,16 @@ impl Faults {
         OF_THREAD.set((!self.is_lasting).then(|| Arc::clone(self)));
     }
 
+    /// The plan that this thread follows, if it has one of its own.
+    pub(crate) fn of_thread() -> Option<Arc<Self>> {
+        OF_THREAD.with_borrow(Option::clone)
+    }
+
+    /// Lets this thread follow a plan that [`Self::of_thread`] gave.
+    pub(crate) fn restore(plan: Option<Arc<Self>>) {
+        OF_THREAD.set(plan);
+    }
+
     fn locked(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -200,7 +210,7 @@ fn real_function(function: &str) -> usize {
 }
 
 fn plan_in_force() -> Option<Arc<Faults>> {
-    OF_THREAD.with_borrow(Option::clone).or_else(|| table().faults.clone())
+    Faults::of_thread().or_else(|| table().faults.clone())
 }
 
 /// Defines a stand-in for each function, and `stand_in`, which finds them by name.

@@ -22,6 +22,8 @@ pub struct Part {
     pub pixels: Buffer,
     /// Samples that every pixel of the part has at least.
     pub samples: u32,
+    /// How many samples the first pixels have already, and how many pixels those are, where the scene lies in pages.
+    pub ahead: (u32, u64),
 }
 
 /// A film that accumulates on the device.
@@ -44,7 +46,7 @@ impl DeviceFilm {
                 // SAFETY: the buffer is alive; the commands are being recorded.
                 unsafe { device.raw.cmd_fill_buffer(commands, pixels.handle, 0, vk::WHOLE_SIZE, 0) }
             })?;
-            parts.push(Part { region, pixels, samples: 0 });
+            parts.push(Part { region, pixels, samples: 0, ahead: (0, 0) });
         }
         Ok(Self { frame: frame.clone(), parts, aovs: None })
     }

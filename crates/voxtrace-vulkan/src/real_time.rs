@@ -73,6 +73,8 @@ pub struct RealTime {
     queries: vk::QueryPool,
     /// What is known of paths that left them.
     pub left: Left,
+    /// How many instances the last frame had.
+    instances: Option<usize>,
     /// Whether the cells are to be cleared.
     is_new: bool,
 }
@@ -137,6 +139,7 @@ impl RealTime {
             in_waves: false,
             queries,
             left: Left::new(device)?,
+            instances: None,
             is_new: true,
         })
     }
@@ -176,6 +179,20 @@ impl RealTime {
             },
         });
         Ok(())
+    }
+
+    /// Says how many instances the next frame has. Where they are more or fewer than before nothing is known any more.
+    pub fn set_instances(&mut self, count: usize) {
+        if self.instances.is_some_and(|before| before != count) {
+            self.forget();
+        }
+        self.instances = Some(count);
+    }
+
+    /// Another number of instances: nothing is known any more, as cells of the light cache and motions go by the numbers of instances.
+    pub fn forget(&mut self) {
+        self.frames.forget();
+        self.is_new = true;
     }
 
     /// The buffers of pixels: what is known of them, and what a frame works with.
@@ -287,7 +304,8 @@ impl RealTime {
                 Count::Of(count) => Launch::Groups(count.div_ceil(WORKGROUP)),
                 Count::Rest => Launch::Told(&self.cell_keys, REST as u32 + 1),
                 Count::Left => Launch::Told(&self.cell_keys, left::COUNTS as u32 + 1),
-                Count::Room => Launch::Groups(capacity.div_ceil(WORKGROUP)),
+                // Each invocation also begins the counts of a round, of which there may be more than paths that have room.
+                Count::Room => Launch::Groups(capacity.max(self.left.rounds() + 1).div_ceil(WORKGROUP)),
                 Count::Round(_) => Launch::Told(queues, WAVE_ROUND_WORDS * round + 1),
             };
             let variant = variants[which].real_time(step.name);

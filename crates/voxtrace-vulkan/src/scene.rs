@@ -279,6 +279,8 @@ impl SceneBuffers {
             bindings.bind(*binding, buffer);
         }
         bindings.bind(binding::ENVIRONMENT, &self.environment);
+        // Without pages nobody reads a table, but that of a scene before, which is gone, must not stay bound.
+        bindings.bind(binding::PAGES, self.pages.as_ref().map_or(&self.environment, |pages| &pages.table));
         if let Some(pages) = &self.pages {
             for binding in [binding::CELLS, binding::BRICKS, binding::BRICK_MATERIALS] {
                 bindings.bind(binding, &pages.pool);
@@ -287,7 +289,6 @@ impl SceneBuffers {
                 bindings.bind(binding::EMITTERS, &pages.pool);
                 bindings.bind(binding::LIGHT_NODES, &pages.pool);
             }
-            bindings.bind(binding::PAGES, &pages.table);
         }
     }
 

@@ -267,6 +267,7 @@ impl VulkanTracer {
         let mut worker = Worker::new(Arc::clone(&self.device), self.settings)?;
         worker.allow_pages(self.has_pages);
         worker.set_most_paths(self.most_paths);
+        worker.set_real_time(self.real_time_settings.0, self.real_time_settings.1);
         if let Some(submit_ms) = self.submit_ms {
             worker.set_submit_ms(submit_ms);
         }
@@ -284,6 +285,12 @@ impl VulkanTracer {
     fn render_with(&mut self, frame: &Frame, progress: &Progress, canvas: Option<Canvas>) -> Result<(), TraceError> {
         frame.check()?;
         self.scene.iter().try_for_each(|scene| frame.check_in(scene))?;
+        if let Backend::Device(worker) = &self.backend
+            && !worker.has_film_of(frame)
+        {
+            // A film that begins has samples of this moment alone.
+            self.is_carried = false;
+        }
         // A film of another frame is of no use after a loss.
         self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
         self.keep_copy_of_last(frame)?;
@@ -303,8 +310,13 @@ impl VulkanTracer {
             };
             match kept_or_lost {
                 Ok(true) => {
-                    let samples = match &self.backend {
+                    let samples = match &mut self.backend {
                         Backend::Device(worker) => worker.samples(),
+                        Backend::Cpu(cpu) if progress.is_cancelled() => {
+                            let mut film = Film::new(0, 0, frame.region, 0);
+                            cpu.read(&mut film)?;
+                            film.sample_range().0
+                        }
                         _ => frame.samples,
                     };
                     self.rendered = Some(frame.clone().samples(samples));

@@ -168,6 +168,11 @@ impl Worker {
         })
     }
 
+    /// Whether the film is one of this frame, which goes on with it.
+    pub fn has_film_of(&self, frame: &Frame) -> bool {
+        self.film.as_ref().is_some_and(|film| frame.continues(&film.frame))
+    }
+
     /// Samples that every pixel of the film has at least.
     pub fn samples(&self) -> u32 {
         let parts = self.film.iter().flat_map(|film| &film.parts);
@@ -281,9 +286,10 @@ impl Worker {
     ) -> Result<bool, TraceError> {
         frame.check()?;
         self.scene()?;
-        let mut film = match self.film.take() {
-            Some(film) if frame.continues(&film.frame) => film,
-            _ => self.new_film(frame)?,
+        // A film of another frame goes before there is memory for the next one.
+        let mut film = match self.film.take().filter(|film| frame.continues(&film.frame)) {
+            Some(film) => film,
+            None => self.new_film(frame)?,
         };
         film.frame = frame.clone();
         // A long call comes here in pieces, which are counted together.
@@ -379,7 +385,7 @@ impl Worker {
 
     pub fn resume(&mut self, frame: &Frame, film: &Film) -> Result<(), TraceError> {
         self.film = None;
-        let mut ours = DeviceFilm::new(&self.device, &mut self.submitter, frame)?;
+        let mut ours = self.new_film(frame)?;
         ours.upload(&mut self.submitter, &mut self.transfer, film)?;
         self.film = Some(ours);
         Ok(())

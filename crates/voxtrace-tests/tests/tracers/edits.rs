@@ -9,10 +9,10 @@ use voxtrace::{
     VoxelGrid,
 };
 use voxtrace_test_support::skip;
-use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film};
+use voxtrace_tests::gpu::{assert_valid, compare_hits, device, film, wanted};
 use voxtrace_tests::random::Random;
 use voxtrace_tests::rays::mixed;
-use voxtrace_vulkan::{Primitive, Settings, Traversal, VulkanTracer, missing};
+use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, missing};
 
 /// A floor with lamps, and a turned lamp above it.
 pub fn example() -> Scene {
@@ -154,4 +154,38 @@ fn edits_with_queries_give_what_packing_anew_does() {
 #[test]
 fn edits_with_a_pipeline_give_what_packing_anew_does() {
     check_edits(Traversal::Pipeline, Primitive::Brick);
+}
+
+#[test]
+fn a_scene_that_the_cpu_traces_for_a_lost_device_is_edited_in_place() {
+    let Some(wanted) = wanted() else { return };
+    let faults = Faults::none();
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let device = Device::open(options, Some(&wanted), None).unwrap();
+    let mut tracer = VulkanTracer::new(device, Settings::default()).unwrap();
+    let packed = PackedScene::pack(&example()).unwrap();
+    tracer.set_scene(&Arc::new(packed.clone())).unwrap();
+    faults.plant("vkQueueSubmit", Fault::DeviceLost);
+    faults.plant("vkCreateDevice", Fault::OutOfHostMemory);
+    let before = film(&mut tracer, &frame());
+    assert!(tracer.is_on_cpu());
+    let mut edited = DynamicScene::new(packed).unwrap();
+    let shape = Shape::Box(VoxelBox { min: IVec3::new(-9, -9, 0), max: IVec3::new(9, 9, 9) });
+    let mut places = Vec::new();
+    for edit in [Edit::Fill { shape, material: Some(2) }, Edit::Paint { shape, material: 0 }] {
+        edited.edit(0, &edit).unwrap();
+        tracer.patch(&edited.take_patch()).unwrap();
+        places.push(tracer.scene().unwrap().geometry().cells().as_ptr());
+        let mut cpu = CpuTracer::new(None);
+        cpu.set_scene(&Arc::new(edited.scene().clone())).unwrap();
+        let ours = film(&mut tracer, &frame());
+        assert!(ours == film(&mut cpu, &frame()) && ours != before);
+    }
+    assert_eq!(places[0], places[1], "the arrays were copied");
+    // A patch that does not follow leaves it as it is.
+    edited.edit(0, &Edit::Fill { shape, material: None }).unwrap();
+    edited.take_patch();
+    edited.edit(0, &Edit::Fill { shape, material: Some(1) }).unwrap();
+    assert!(matches!(tracer.patch(&edited.take_patch()), Err(TraceError::OutOfStep(_))));
+    assert_eq!(tracer.scene().unwrap().geometry().cells().as_ptr(), places[1]);
 }

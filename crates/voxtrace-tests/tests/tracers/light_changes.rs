@@ -1,12 +1,14 @@
 //! Another light on the same scene: a tracer that has the scene uploads nothing, and gives the bits of a tracer that gets it anew.
 
 use std::sync::Arc;
-use voxtrace::{CpuTracer, Integrator, PackedScene, Placement, Sun, Tracer};
+use voxtrace::sky::{Background, Environment};
+use voxtrace::{CpuTracer, Integrator, PackedScene, Placement, Progress, Sky, Sun, TraceError, Tracer};
 use voxtrace_test_support::skip;
+use voxtrace_tests::environments::noise_map;
 use voxtrace_tests::gpu::{film, wanted};
 use voxtrace_tests::moving::moving;
 use voxtrace_tests::rooms;
-use voxtrace_vulkan::{Device, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
+use voxtrace_vulkan::{Device, Fault, Faults, Options, Primitive, Settings, Traversal, VulkanTracer, devices, missing};
 
 /// The scene in lights that each differ from the one before in one thing.
 fn lights(scene: &PackedScene) -> Vec<Arc<PackedScene>> {
@@ -80,4 +82,30 @@ fn another_light_uploads_no_array_for_a_pipeline_and_gives_the_bits_of_a_fresh_t
 /// Bytes that were sent to the device so far.
 fn uploaded(device: &Device) -> u64 {
     device.memory().uploaded.values().sum()
+}
+
+#[test]
+fn a_light_for_which_there_is_no_memory_leaves_no_scene() {
+    let Some(wanted) = wanted() else { return };
+    let described = moving(12, 0);
+    let scene = Arc::new(PackedScene::pack(&described).unwrap());
+    let frame = rooms::frame(&described, (24, 18), 1, Integrator::Essay);
+    let mut lit = (*scene).clone();
+    lit.sky = Sky::new(Background::Environment(Environment::new(noise_map(16, 3), 0.0)));
+    let lit = Arc::new(lit);
+    let faults = Faults::none();
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let device = Device::open(options, Some(&wanted), None).unwrap();
+    let mut tracer = VulkanTracer::new(device, Settings::default()).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    film(&mut tracer, &frame);
+    faults.plant("vkCreateBuffer", Fault::OutOfDeviceMemory);
+    tracer.set_scene(&lit).unwrap_err();
+    assert_eq!(faults.fired().len(), 1);
+    // Not the scene before, of which the tracer knows nothing any more.
+    assert_eq!(tracer.render(&frame, &Progress::default()), Err(TraceError::NoScene));
+    tracer.set_scene(&lit).unwrap();
+    let mut fresh = CpuTracer::new(None);
+    fresh.set_scene(&lit).unwrap();
+    assert!(film(&mut tracer, &frame) == film(&mut fresh, &frame));
 }

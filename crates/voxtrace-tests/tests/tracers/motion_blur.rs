@@ -255,3 +255,57 @@ fn a_device_that_is_lost_between_moments_ends_with_the_film_of_all_moments() {
     }
     assert!(lost > 2, "{lost}");
 }
+
+#[test]
+fn a_moment_that_does_not_suit_leaves_scene_and_film() {
+    let Some(device) = device() else { return };
+    let gpu = VulkanTracer::new(Arc::clone(&device), Settings::default()).unwrap();
+    let tracers: [Box<dyn Tracer>; 2] = [Box::new(CpuTracer::new(None)), Box::new(gpu)];
+    let (packed, moments) = moments();
+    let later = moments(0.5).unwrap().placement.unwrap();
+    for mut tracer in tracers {
+        tracer.set_scene(&packed).unwrap();
+        assert_eq!(tracer.set_moment(Some(&later), &frame()), Err(TraceError::NoFilm));
+        tracer.render(&frame(), &Progress::default()).unwrap();
+        let film = read(&mut *tracer);
+        let smaller = Frame::new(frame().camera, 8, 4);
+        assert!(matches!(tracer.set_moment(Some(&later), &smaller), Err(TraceError::BadFrame(_))));
+        assert!(read(&mut *tracer) == film);
+        // Things are where they were.
+        tracer.render(&frame().seed(9), &Progress::default()).unwrap();
+        tracer.render(&frame(), &Progress::default()).unwrap();
+        assert!(read(&mut *tracer) == film);
+        tracer.set_placement(&later).unwrap();
+        tracer.render(&frame(), &Progress::default()).unwrap();
+        assert!(read(&mut *tracer) != film, "the comparison sees what moved");
+    }
+}
+
+#[test]
+fn a_film_that_begins_after_one_of_many_moments_is_mended_after_a_loss() {
+    let Some(wanted) = voxtrace_tests::gpu::wanted() else { return };
+    let (packed, moments) = moments();
+    let later = moments(0.5).unwrap().placement.unwrap();
+    let faults = Faults::none();
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let device = Device::open(options, Some(&wanted), None).unwrap();
+    let mut tracer = VulkanTracer::new(device, Settings::default()).unwrap();
+    tracer.set_scene(&packed).unwrap();
+    tracer.render(&frame().samples(1), &Progress::default()).unwrap();
+    tracer.set_moment(Some(&later), &frame().samples(2)).unwrap();
+    tracer.render(&frame().samples(2), &Progress::default()).unwrap();
+    let other = frame().seed(9);
+    tracer.render(&other.clone().samples(2), &Progress::default()).unwrap();
+    faults.plant("vkQueueSubmit", Fault::DeviceLost);
+    tracer.render(&other, &Progress::default()).unwrap();
+    assert_eq!(faults.fired(), [("vkQueueSubmit", Fault::DeviceLost)]);
+    let mut cpu = CpuTracer::new(None);
+    cpu.set_scene(&Arc::new(packed.with_placement(&later).unwrap())).unwrap();
+    cpu.render(&other, &Progress::default()).unwrap();
+    assert!(read(&mut tracer) == read(&mut cpu));
+    // One that goes on has samples that cannot be made again.
+    tracer.set_moment(Some(packed.placement()), &other.clone().samples(SAMPLES + 1)).unwrap();
+    faults.plant("vkQueueSubmit", Fault::DeviceLost);
+    let lost = tracer.render(&other.samples(SAMPLES + 1), &Progress::default());
+    assert!(matches!(lost, Err(TraceError::DeviceLost { .. })), "{lost:?}");
+}

@@ -198,3 +198,36 @@ fn too_little_memory_is_said_with_what_it_takes() {
     drop(tracer);
     assert_valid(&device);
 }
+
+#[test]
+fn samples_of_a_render_in_pages_that_is_broken_off_are_told_once_and_a_scene_that_fits_is_whole_again() {
+    let Some(device) = device() else { return };
+    let scene = Arc::new(PackedScene::pack(&hills()).unwrap());
+    let mut tracer = tracer_in(Traversal::Walk, 2 << 20).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    assert!(tracer.paged().is_some());
+    let frame = frame().aovs(false).integrator(Integrator::Essay);
+    let (stopped, rest) = (Progress::default(), Progress::default());
+    std::thread::scope(|scope| {
+        let render = scope.spawn(|| tracer.render(&frame, &stopped));
+        while stopped.samples_done() == 0 && !render.is_finished() {
+            std::thread::yield_now();
+        }
+        stopped.cancel();
+        render.join().unwrap().unwrap();
+    });
+    tracer.render(&frame, &rest).unwrap();
+    let (first, second) = (stopped.samples_done(), rest.samples_done());
+    assert_eq!(first + second, 64 * 36 * 3, "{first}, then {second}");
+    // The table of pages is gone, and nothing is bound in its place that is gone, too.
+    let small = voxtrace_tests::rooms::lamp_room();
+    let frame = voxtrace_tests::rooms::frame(&small, (31, 17), 2, Integrator::Essay);
+    let small = Arc::new(PackedScene::pack(&small).unwrap());
+    tracer.set_scene(&small).unwrap();
+    assert_eq!(tracer.paged(), None);
+    let mut cpu = CpuTracer::new(None);
+    cpu.set_scene(&small).unwrap();
+    assert!(film(&mut tracer, &frame) == film(&mut cpu, &frame));
+    assert_valid(tracer.device());
+    assert_valid(&device);
+}

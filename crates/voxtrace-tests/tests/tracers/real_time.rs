@@ -178,6 +178,14 @@ fn paths_that_leave_the_waves_have_the_bits_of_the_processor() {
         assert!(both.had("shade_left"), "frame {number} in waves: {:?}", both.steps);
         assert_same_bits(&mut both, &format!("frame {number}"));
     }
+    // One at a time: more rounds than a workgroup has invocations.
+    both.gpu = both.gpu.with_most_paths(1);
+    for number in 0..4 {
+        both.frame(&view());
+        assert!(both.had("finish_left"), "in waves: {:?}", both.steps);
+        assert_same_bits(&mut both, &format!("one path at a time, frame {number}"));
+    }
+    both.gpu = both.gpu.with_most_paths(200);
     // Instances move, so that paths of the frame before are followed again.
     both.gpu.set_real_time(Parts::ALL, true);
     both.cpu = RealTime::new(Parts::ALL);
@@ -324,12 +332,18 @@ fn pictures_of_real_time_light_are_those_of_the_processor_while_camera_and_thing
 
 /// Instances move, all but those of the first grid.
 fn shift(both: &mut Both) {
-    let before = both.scene.instances().to_vec();
     let moved = |instance: &PackedInstance| {
         let by = if instance.grid == 0 { Vec3::ZERO } else { Vec3::new(0.4, 0.2, 0.0) };
         PackedInstance::new(instance.grid, instance.world_from_grid.translated(by), instance.scene_instance)
     };
-    let placement = Placement::new(both.scene.geometry(), before.iter().map(moved)).unwrap();
+    let moved = both.scene.instances().iter().map(moved).collect();
+    place(both, moved);
+}
+
+/// Instances stand elsewhere, or there are others.
+fn place(both: &mut Both, instances: Vec<PackedInstance>) {
+    let before = both.scene.instances().to_vec();
+    let placement = Placement::new(both.scene.geometry(), instances).unwrap();
     both.gpu.set_placement(&placement).unwrap();
     both.scene = Arc::new(both.scene.with_placement(&placement).unwrap());
     both.cpu.move_instances(&before);
@@ -358,6 +372,20 @@ fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_
         shift(&mut both);
         compare(&mut both, &format!("where instances moved, {step}"), 1, |_| view());
     }
+    assert_valid(&device);
+}
+
+#[test]
+fn pictures_of_real_time_light_are_those_of_the_processor_where_instances_go_and_come() {
+    let Some(device) = device() else { return };
+    let mut both = Both::new(&device, &packed(true, true), Parts::ALL);
+    let all = both.scene.instances().to_vec();
+    compare(&mut both, "all of them", 3, |_| view());
+    // The light cache knows faces of those that go.
+    place(&mut both, all[..2].to_vec());
+    compare(&mut both, "two of them", 3, |_| view());
+    place(&mut both, all);
+    compare(&mut both, "all of them again", 3, |_| view());
     assert_valid(&device);
 }
 

@@ -178,3 +178,29 @@ fn devices_are_named_by_their_numbers_and_a_scene_that_fits_none_goes_to_the_pro
     let small = Request { memory_budget: Some(60_000), ..request(format!("{wanted},{wanted}")) };
     assert!(matches!(choose_for(&small, &scene), Err(TraceError::OutOfMemory { .. })), "asked for, it is an error");
 }
+
+#[test]
+fn a_scene_that_is_set_after_all_devices_were_lost_goes_to_the_processor() {
+    let Some(wanted) = gpu::wanted() else { return };
+    let (scene, frame) = room();
+    let mut alone = CpuTracer::new(None);
+    alone.set_scene(&scene).unwrap();
+    let expected = rendered(&mut alone, &frame.clone().samples(20));
+    for is_earlier in [false, true] {
+        let faults = Faults::none();
+        let mut shared = SharedTracer::new(vec![device(&wanted, Some(&faults))], false);
+        let other = Arc::new(PackedScene::pack(&moving(12, 0)).unwrap());
+        shared.set_scene(&other).unwrap();
+        faults.plant("vkQueueSubmit", Fault::DeviceLost);
+        faults.plant("vkCreateDevice", Fault::OutOfHostMemory);
+        if is_earlier {
+            let lost = shared.set_placement(other.placement());
+            assert!(matches!(lost, Err(TraceError::DeviceLost { .. })), "{lost:?}");
+        }
+        shared.set_scene(&scene).unwrap();
+        assert_eq!(shared.names(), ["the processor"]);
+        assert!(rendered(&mut shared, &frame.clone().samples(20)) == expected);
+        let notes = shared.take_notes();
+        assert!(notes.iter().any(|note| note.contains("the processor goes on")), "{notes:#?}");
+    }
+}

@@ -297,3 +297,20 @@ fn however_often_a_device_is_interrupted_its_pixels_are_at_most_one_round_apart(
     drop(tracer);
     assert_valid(&device);
 }
+
+#[test]
+fn a_film_of_another_frame_takes_the_place_of_the_one_before() {
+    let Some((device, mut tracer)) = tracer(Traversal::Walk, Primitive::default()) else { return };
+    let scene = rooms::lamp_room();
+    tracer.set_scene(&Arc::new(PackedScene::pack(&scene).unwrap())).unwrap();
+    let frame = rooms::frame(&scene, (256, 256), 1, Integrator::Essay);
+    tracer.render(&frame, &Progress::default()).unwrap();
+    let one = tracer.memory();
+    assert!(one.bytes("film") > 1 << 20 && one.peak_bytes >= one.total_bytes());
+    for seed in [77, 78] {
+        tracer.render(&frame.clone().seed(seed), &Progress::default()).unwrap();
+        assert_eq!(tracer.memory().peak_bytes, one.peak_bytes, "two films were there at once");
+    }
+    drop(tracer);
+    assert_valid(&device);
+}

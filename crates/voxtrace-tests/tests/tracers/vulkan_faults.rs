@@ -185,3 +185,26 @@ fn a_budget_that_is_too_small_is_said_with_both_numbers() {
         other => panic!("{other:?}"),
     }
 }
+
+#[test]
+fn a_film_that_the_cpu_did_not_end_says_how_many_samples_it_has() {
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let faults = Faults::none();
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let device = Device::open(options, Some(&run.wanted), None).unwrap();
+    let mut tracer = VulkanTracer::new(device, run.settings).unwrap();
+    tracer.set_scene(&run.scene).unwrap();
+    faults.plant("vkQueueSubmit", Fault::DeviceLost);
+    faults.plant("vkCreateDevice", Fault::OutOfHostMemory);
+    tracer.render(&run.frame.clone().samples(2), &Progress::default()).unwrap();
+    assert!(tracer.is_on_cpu() && tracer.samples() == 2);
+    let stopped = Progress::default();
+    stopped.cancel();
+    tracer.render(&run.frame, &stopped).unwrap();
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    tracer.read(&mut film).unwrap();
+    assert!(film.sample_range().0 < FRAMES);
+    assert_eq!(tracer.samples(), film.sample_range().0);
+    tracer.render(&run.frame, &Progress::default()).unwrap();
+    assert_eq!(tracer.samples(), FRAMES);
+}

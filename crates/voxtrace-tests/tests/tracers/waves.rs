@@ -7,8 +7,9 @@ use voxtrace::{
     BounceLimits, Camera, CpuTracer, Film, Frame, Integrator, LightGroup, PackedScene, Progress, Region, TraceError,
     Tracer,
 };
+use voxtrace_realtime::{Parts, Rate};
 use voxtrace_tests::gpu::{assert_valid, device, film, wanted};
-use voxtrace_vulkan::{Device, Fault, Faults, Options, Settings, VulkanTracer};
+use voxtrace_vulkan::{Device, Fault, Faults, Options, Picture, Settings, VulkanTracer};
 
 fn view() -> Frame {
     let camera = Camera::look_at(Vec3::new(3.0, -26.0, 17.0), Vec3::new(0.0, 0.0, 1.0));
@@ -134,6 +135,12 @@ fn waves_make_room_and_give_way_to_one_shader() {
         let of_paths = tight.memory().entries.iter().find(|(name, _)| *name == "paths").map_or(0, |(_, bytes)| *bytes);
         assert!(of_paths <= budget / 3, "{of_paths} of {budget}");
         sizes.push(of_paths);
+        // They make room for a larger film that is given.
+        let bytes = tight.device().available_bytes() + film_bytes + of_paths / 2;
+        let (width, height) = (64, (bytes / (32 * 64)) as u32);
+        let larger = Frame::new(view().camera, width, height);
+        tight.resume(&larger, Film::new(width, height, Region::full(width, height), 0)).unwrap();
+        assert!(!holds_paths(&tight));
     }
     assert!(0 < sizes[0] && sizes[0] < sizes[1], "{sizes:?}");
     assert!(films.iter().all(|film| *film == whole));
@@ -184,4 +191,27 @@ fn a_wave_that_lacks_a_step_is_noticed() {
     // Every path came to its end, but not where it should.
     assert!(render(Some("wave_walk")).unwrap() != whole);
     assert_valid(&device);
+}
+
+#[test]
+fn waves_of_films_make_room_for_real_time_light() {
+    let Some(wanted) = wanted() else { return };
+    let scene = one_grid();
+    // Returns the bytes at the end, and those of paths of the film that are still there.
+    let show = |budget: Option<u64>| {
+        let options = Options { validation: true, ..Options::default() };
+        let device = Device::open(options, Some(&wanted), budget).unwrap();
+        let mut tracer = tracer(&device, &scene, 1 << 20);
+        tracer.set_real_time(Parts::NONE, false);
+        film(&mut tracer, &view());
+        assert!(holds_paths(&tracer));
+        let picture = Picture::new(&device, view().width, view().height, false).unwrap();
+        tracer.show_real_time(&view(), Rate::Full, &picture).unwrap();
+        assert_valid(&device);
+        let report = tracer.memory();
+        (report.total_bytes(), report.bytes("paths") + report.bytes("queues of paths"))
+    };
+    let (bytes, of_paths) = show(None);
+    assert!(of_paths > 0);
+    assert_eq!(show(Some(bytes - of_paths / 2)), (bytes - of_paths, 0));
 }

@@ -53,7 +53,18 @@ impl SharedTracer {
     /// Lets every member do something at the same time; those that fail take no further part. The error of the last one where nobody is left.
     fn all(&mut self, work: impl Fn(&mut Member) -> Result<(), TraceError> + Sync) -> Result<(), TraceError> {
         let ready = self.members.par_iter_mut().filter(|member| member.is_ready());
-        let failed: Vec<_> = ready.filter_map(|member| work(member).err().map(|error| (member, error))).collect();
+        let failed = ready.filter_map(|member| {
+            #[cfg(feature = "faults")]
+            let of_thread = crate::Faults::of_thread();
+            #[cfg(feature = "faults")]
+            member.follow_faults();
+            let result = work(member);
+            // The thread is one of all.
+            #[cfg(feature = "faults")]
+            crate::Faults::restore(of_thread);
+            result.err().map(|error| (member, error))
+        });
+        let failed: Vec<_> = failed.collect();
         let mut last = None;
         for (member, error) in failed {
             last = Some(error.clone());
@@ -71,13 +82,14 @@ impl SharedTracer {
 
     /// Somebody to trace: the processor where all devices are lost.
     fn ensure_member(&mut self) -> Result<(), TraceError> {
-        if !self.has_ready() {
-            let scene = self.scene()?;
-            let mut processor = Member::processor();
-            processor.tracer().set_scene(&scene)?;
-            self.notes.push("the processor goes on".into());
-            self.members.push(processor);
-        }
+        if self.has_ready() { Ok(()) } else { self.add_processor(&self.scene()?) }
+    }
+
+    fn add_processor(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        let mut processor = Member::processor();
+        processor.tracer().set_scene(scene)?;
+        self.notes.push("the processor goes on".into());
+        self.members.push(processor);
         Ok(())
     }
 
@@ -122,7 +134,13 @@ impl Tracer for SharedTracer {
         self.film.forget();
         let too_small = self.members.iter_mut().filter(|member| member.state == State::TooSmall);
         too_small.for_each(|member| member.state = State::Ready);
-        self.all(|member| member.tracer().set_scene(scene))
+        let result = self.all(|member| member.tracer().set_scene(scene));
+        let are_lost = self.members.iter().all(|member| member.state == State::Lost);
+        match result {
+            // Now or since earlier.
+            _ if are_lost => self.add_processor(scene),
+            result => result,
+        }
     }
 
     fn set_placement(&mut self, placement: &Placement) -> Result<(), TraceError> {
@@ -182,6 +200,8 @@ impl Tracer for SharedTracer {
 
     /// The film is here, not on the devices: it stays what it is when they are lost.
     fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
+        // A placement that does not fit leaves the film.
+        placement.map(|placement| self.scene()?.with_placement(placement).map_err(TraceError::from)).transpose()?;
         let film = self.film.take_for(frame)?;
         if let Some(placement) = placement {
             self.set_placement(placement)?;

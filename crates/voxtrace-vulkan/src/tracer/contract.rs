@@ -34,6 +34,16 @@ impl Tracer for VulkanTracer {
         if patch.is_empty() {
             return Ok(());
         }
+        if let Backend::Cpu(cpu) = &mut self.backend {
+            // It changes the scene in place where nobody else holds it.
+            self.scene = None;
+            let result = cpu.patch(patch);
+            self.scene = cpu.scene().ok();
+            if result.is_ok() {
+                (self.copy, self.rendered, self.is_carried) = (None, None, false);
+            }
+            return result;
+        }
         // Nobody else of ours holds the scene while it is changed, or all of it would be copied.
         if let Backend::Device(worker) = &mut self.backend {
             worker.release();
@@ -49,8 +59,7 @@ impl Tracer for VulkanTracer {
         (self.copy, self.rendered, self.is_carried) = (None, None, false);
         let result = match &mut self.backend {
             Backend::Device(worker) => worker.patch(&scene, patch),
-            Backend::Cpu(cpu) => cpu.set_scene(&scene),
-            Backend::None => Err(TraceError::NoScene),
+            Backend::Cpu(_) | Backend::None => Err(TraceError::NoScene),
         };
         let result = match result {
             // It is opened anew with the scene as it is now.
@@ -113,11 +122,16 @@ impl Tracer for VulkanTracer {
     fn set_moment(&mut self, placement: Option<&Placement>, frame: &Frame) -> Result<(), TraceError> {
         let scene = self.scene.as_ref().ok_or(TraceError::NoScene)?;
         let moved = placement.map(|placement| scene.with_placement(placement).map(Arc::new)).transpose()?;
+        // What does not suit leaves scene and film as they are.
+        match &mut self.backend {
+            Backend::Device(worker) => worker.check_moment(frame)?,
+            Backend::Cpu(cpu) => cpu.set_moment(placement, frame)?,
+            Backend::None => return Err(TraceError::NoFilm),
+        }
         (self.copy, self.rendered, self.is_carried) = (None, None, true);
         let result = match &mut self.backend {
             Backend::Device(worker) => worker.set_moment(moved.as_ref(), frame),
-            Backend::Cpu(cpu) => cpu.set_moment(placement, frame),
-            Backend::None => Err(TraceError::NoFilm),
+            _ => Ok(()),
         };
         match result {
             Ok(()) => self.scene = moved.or(self.scene.take()),

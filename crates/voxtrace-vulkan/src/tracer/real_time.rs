@@ -14,7 +14,8 @@ impl VulkanTracer {
     ///
     /// # Errors
     /// [`TraceError::NoScene`] before a scene is set; [`TraceError::BadFrame`] where the frame or the picture does not suit;
-    /// [`TraceError::Unsupported`] where the scene lies on the device in pages; [`TraceError::OutOfMemory`];
+    /// [`TraceError::Unsupported`] where the scene lies on the device in pages, or the picture has more pixels than the device's launches take;
+    /// [`TraceError::OutOfMemory`];
     /// [`TraceError::DeviceLost`] after a loss: the tracer goes on, on the device opened anew or on the CPU, and the picture lies on the lost one.
     pub fn show_real_time(
         &mut self,
@@ -28,8 +29,6 @@ impl VulkanTracer {
         };
         if let Err(TraceError::DeviceLost { last_pass }) = &result {
             self.recover(last_pass)?;
-            let parts = self.real_time_settings;
-            self.set_real_time(parts.0, parts.1);
         }
         result
     }

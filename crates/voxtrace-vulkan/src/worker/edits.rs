@@ -90,6 +90,8 @@ impl Worker {
 
     /// Takes a scene that is being edited.
     fn set_edited(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
+        // As for any scene that is uploaded, paths make room.
+        self.drop_waves();
         let buffers = SceneBuffers::to_edit(&self.device, &mut self.submitter, &mut self.transfer, scene)?;
         buffers.bind(&self.bindings);
         if self.settings.traversal.uses_primitives() {

@@ -55,13 +55,15 @@ impl Worker {
         let pixels = part.region.pixels() as u64;
         while part.samples < target {
             let goal = if part.samples == 0 { 1 } else { target };
-            let mut first = 0;
+            // Blocks that a call which was broken off finished are neither gone through nor counted again.
+            let mut first = if part.ahead.0 == goal { part.ahead.1 } else { 0 };
             while first < pixels {
                 let count = self.pixels_at_a_time.min(pixels - first).min(self.passes.most_items());
                 match self.render_block(variant, (first, count), goal, progress, until)? {
                     Block::Finished => {
                         progress.add(count * u64::from(goal - part.samples));
                         first += count;
+                        part.ahead = (goal, first);
                         // Other places may need less.
                         self.pixels_at_a_time = self.pixels_at_a_time.saturating_add(self.pixels_at_a_time / 8 + 1);
                     }

@@ -12,7 +12,7 @@ use crate::spirv;
 use crate::variant::{Entry, Variant};
 use std::sync::Arc;
 use voxtrace_core::{Frame, PackedScene, Region, TraceError};
-use voxtrace_realtime::{LightCache, Parts, Rate, RealTimeParams, flag};
+use voxtrace_realtime::{LightCache, Parts, Rate, RealTimeParams, flag, squares};
 
 impl Worker {
     /// Traces the next frame of real-time light and writes it to a picture.
@@ -31,16 +31,23 @@ impl Worker {
             let reason = "real-time light needs the whole scene on the device, and this one is larger than its memory";
             return Err(TraceError::Unsupported(reason.into()));
         }
-        let tiles = u64::from(frame.width.div_ceil(8)) * u64::from(frame.height.div_ceil(8));
-        if tiles > u64::from(self.device.info().limits.max_workgroups) {
+        if most_workgroups((frame.width, frame.height), rate) > u64::from(self.device.info().limits.max_workgroups) {
             let name = &self.device.info().name;
-            return Err(TraceError::BadFrame(format!("{name} makes no real-time pictures as large as this")));
+            return Err(TraceError::Unsupported(format!("{name} makes no real-time pictures as large as this")));
         }
         self.submitter.wait_for_quiet()?;
         let mut state = match self.real_time.take() {
             Some(state) => state,
-            None => RealTime::new(&self.device, self.real_time_parts)?,
+            None => match RealTime::new(&self.device, self.real_time_parts) {
+                // What films keep of paths makes room.
+                Err(TraceError::OutOfMemory { .. }) if self.waves.is_some() => {
+                    self.drop_waves();
+                    RealTime::new(&self.device, self.real_time_parts)?
+                }
+                result => result?,
+            },
         };
+        state.set_instances(scene.instances().len());
         let parts = state.frames.parts;
         let frames = state.frames.frames_of_picture(frame);
         if frames > 1 {
@@ -82,14 +89,23 @@ impl Worker {
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
         let (tracing, in_waves) = self.tracing_variant(&params, frame)?;
         state.left.most = self.most_paths.unwrap_or(u32::MAX);
-        state.set_size(frame.width, frame.height, (in_waves, in_waves && tracing.has_materials))?;
+        let waves = (in_waves, in_waves && tracing.has_materials);
+        match state.set_size(frame.width, frame.height, waves) {
+            // As for films, what these keep of paths makes room.
+            Err(TraceError::OutOfMemory { .. }) if self.waves.is_some() => {
+                self.drop_waves();
+                state.set_size(frame.width, frame.height, waves)?;
+            }
+            result => result?,
+        }
         let mut of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
         let leaves = in_waves && tracing.has_materials && state.left.in_waves();
         if leaves {
             of_frame.flags |= flag::LEAVES;
         }
         let size = (frame.width, frame.height);
-        let steps = steps_of(&of_frame, size, in_waves && (leaves || !tracing.has_materials), state.left.rounds());
+        let only_waves = in_waves && (leaves || !tracing.has_materials);
+        let steps = steps_of(&of_frame, rate, size, only_waves, state.left.rounds());
         let variants = self.prepare_real_time(tracing, &steps)?;
         let motions = state.frames.motions(scene);
         state.write(&of_frame, &motions)?;
@@ -115,7 +131,7 @@ impl Worker {
         let gpu_ms = result?.gpu_ms;
         let passes = state.milliseconds(&steps)?;
         if in_waves && tracing.has_materials {
-            let paths = threads_that_trace(&of_frame, size) + of_frame.squares;
+            let paths = threads_that_trace(rate, size) + of_frame.squares;
             let of_paths =
                 |name: &str| matches!(Kind::of(name), Kind::Tracing | Kind::Waves | Kind::Left) && name != "remember";
             let ms = passes.iter().filter(|(name, _)| of_paths(name)).map(|(_, ms)| ms).sum();
@@ -199,16 +215,30 @@ impl Worker {
 }
 
 /// Invocations that follow the paths of pixels, a tile of 8 x 8 or, at half the rate, 16 x 8 to a workgroup.
-fn threads_that_trace(params: &RealTimeParams, (width, height): (u32, u32)) -> u32 {
-    let columns = if params.flags & flag::HALF != 0 { 16 } else { 8 };
+fn threads_that_trace(rate: Rate, (width, height): (u32, u32)) -> u32 {
+    let columns = if rate == Rate::Half { 16 } else { 8 };
     width.div_ceil(columns) * height.div_ceil(8) * WORKGROUP
 }
 
+/// Most workgroups of a step: of one for all tiles of pixels, or of the one that follows all paths, those of the frame before among them.
+fn most_workgroups(size: (u32, u32), rate: Rate) -> u64 {
+    let tiles = u64::from(size.0.div_ceil(8)) * u64::from(size.1.div_ceil(8));
+    let tiles_that_trace = u64::from(threads_that_trace(rate, size) / WORKGROUP);
+    let others = LightCache::MOST_CHOSEN as u64 + 2 * u64::from(squares(size));
+    tiles.max(tiles_that_trace + others.div_ceil(u64::from(WORKGROUP)))
+}
+
 /// The steps of a frame.
-fn steps_of(params: &RealTimeParams, (width, height): (u32, u32), in_waves: bool, rounds: u32) -> Vec<Step> {
+fn steps_of(
+    params: &RealTimeParams,
+    rate: Rate,
+    (width, height): (u32, u32),
+    in_waves: bool,
+    rounds: u32,
+) -> Vec<Step> {
     let has = |flag: u32| params.flags & flag != 0;
     let pixels = width.div_ceil(8) * height.div_ceil(8) * WORKGROUP;
-    let that_trace = threads_that_trace(params, (width, height));
+    let that_trace = threads_that_trace(rate, (width, height));
     let cells = LightCache::CAPACITY as u32;
     let RealTimeParams { cells: tracing_cells, squares, again, .. } = *params;
     let mut steps = Vec::new();
@@ -270,3 +300,40 @@ const FILTER_STEPS: [&str; 11] = [
     "filter_end",
     "filter_across",
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_step_has_more_workgroups_than_are_asked_of_the_device() {
+        for size in [(1, 1), (61, 43), (1920, 1080), (2560, 1600), (3840, 2160)] {
+            for rate in [Rate::Full, Rate::Half] {
+                let squares = squares(size);
+                let params = RealTimeParams {
+                    // The rate is one of the flags.
+                    flags: if rate == Rate::Half { u32::MAX } else { !flag::HALF },
+                    cells: LightCache::MOST_CHOSEN as u32,
+                    squares,
+                    again: squares,
+                    ..RealTimeParams::default()
+                };
+                let largest = |in_waves| {
+                    let groups = |step: Step| match step.count {
+                        Count::Of(count) => Some(u64::from(count.div_ceil(WORKGROUP))),
+                        _ => None,
+                    };
+                    steps_of(&params, rate, size, in_waves, 4).into_iter().filter_map(groups).max().unwrap()
+                };
+                let (most, of_cells) = (most_workgroups(size, rate), LightCache::CAPACITY as u64 / 64);
+                assert_eq!(largest(false), most.max(of_cells), "{size:?} {rate:?}");
+                assert!(largest(true) <= most.max(of_cells), "{size:?} {rate:?}");
+            }
+        }
+        // A device may launch no more than these: all tiles of pixels, but not with all paths that are followed beside theirs.
+        let least_limit = 65_535;
+        assert!(most_workgroups((2560, 1440), Rate::Full) <= least_limit);
+        assert!(320 * 200 <= least_limit && most_workgroups((2560, 1600), Rate::Full) > least_limit);
+        assert!(most_workgroups((2560, 1600), Rate::Half) <= least_limit);
+    }
+}

@@ -17,16 +17,17 @@ const FOR_FILMS: u64 = 512 << 20;
 impl Worker {
     pub fn set_scene(&mut self, scene: &Arc<PackedScene>) -> Result<(), TraceError> {
         self.submitter.wait_for_quiet()?;
-        if let Some(buffers) = self.scene.as_mut().filter(|buffers| buffers.holds(scene)) {
-            // Another light: nothing to build, and at most an environment map to upload.
+        self.film = None;
+        if let Some(mut buffers) = self.scene.take_if(|buffers| buffers.holds(scene)) {
+            // Another light: nothing to build, and at most an environment map to upload. Where that fails no scene is left.
             if buffers.light(&self.device, &mut self.submitter, &mut self.transfer, scene)? {
                 buffers.bind(&self.bindings);
             }
-            self.film = None;
+            self.scene = Some(buffers);
             self.real_time.iter_mut().for_each(|state| state.frames.change());
             return Ok(());
         }
-        (self.scene, self.film, self.accel) = (None, None, None);
+        (self.scene, self.accel, self.pixels_at_a_time) = (None, None, u64::MAX);
         self.drop_waves();
         self.forget_real_time();
         let buffers = self.buffers_of(scene)?;
@@ -83,7 +84,12 @@ impl Worker {
         let (buffers, accel) = (self.scene.take().ok_or(TraceError::NoScene)?, self.accel.take());
         self.film = None;
         if let Some(state) = &mut self.real_time {
-            state.frames.move_instances(buffers.scene.instances().iter().map(|instance| instance.world_from_grid));
+            let before = buffers.scene.instances();
+            match before.len() == scene.instances().len() {
+                true => state.frames.move_instances(before.iter().map(|instance| instance.world_from_grid)),
+                // What is known names instances by their numbers.
+                false => state.forget(),
+            }
         }
         let buffers = buffers.placed(&self.device, scene)?;
         let accel = accel.map(|accel| accel.unbuilt(&self.device, scene.placement())).transpose()?;
@@ -97,6 +103,18 @@ impl Worker {
             self.bind_accel(accel);
         }
         (self.scene, self.accel) = (Some(buffers), accel);
+        Ok(())
+    }
+
+    /// Checks that [`Self::set_moment`] can keep the film as one of `frame`.
+    pub fn check_moment(&self, frame: &Frame) -> Result<(), TraceError> {
+        frame.check()?;
+        let film = self.film.as_ref().ok_or(TraceError::NoFilm)?;
+        let shown = |frame: &Frame| (frame.width, frame.height, frame.region, frame.first_sample);
+        if shown(frame) != shown(&film.frame) {
+            let reason = "the film to go on with shows another size, region or first sample";
+            return Err(TraceError::BadFrame(reason.into()));
+        }
         Ok(())
     }
 
