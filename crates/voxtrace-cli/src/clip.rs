@@ -6,15 +6,22 @@ use crate::interrupt;
 use crate::outputs;
 use crate::picture::path_of_view;
 use crate::report::Report;
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use voxtrace::output::clip::{ClipFormat, ClipOptions, read_png};
+use std::time::UNIX_EPOCH;
+use voxtrace::import::opened;
+use voxtrace::output::clip::{ClipFormat, ClipOptions, has_alpha, over_black, read_png};
+use voxtrace::output::write_atomically;
 use voxtrace_bench::quantity::counted;
 
 /// What the folder of frames says about how they were made.
 const SETTINGS: &str = "settings.txt";
+/// Frames a second of the fastest GIF that players show as it is.
+const MOST_GIF_RATE: f64 = 50.0;
 
 /// Options about clips.
 #[derive(clap::Args, Clone, Debug)]
@@ -49,6 +56,9 @@ pub struct Clip {
     folder: Option<PathBuf>,
     /// Frames and their rate, once they are known.
     known: Option<(RangeInclusive<u32>, f64)>,
+    /// What frames are made with: the settings, and the files that were read, each with how it was then.
+    settings: String,
+    inputs: BTreeMap<String, String>,
 }
 
 impl ClipArgs {
@@ -102,7 +112,7 @@ impl Clip {
         });
         let own = folder.as_ref().map(|folder| folder.join("####.png"));
         let pattern = own.or_else(|| png.cloned()).unwrap_or_default();
-        Self { clips, pattern, folder, known: None }
+        Self { clips, pattern, folder, known: None, settings: String::new(), inputs: BTreeMap::new() }
     }
 
     /// Where frames are kept that nobody asked for.
@@ -115,16 +125,21 @@ impl Clip {
         &self.pattern
     }
 
-    /// Makes the folder of frames; those in it that were made with other settings, or of another scene file, are removed.
-    pub fn make_folder(&self, settings: &str, scene: &Path, report: &Report) -> Result<(), Failure> {
-        let Some(folder) = &self.folder else { return Ok(()) };
-        let failed = |error: io::Error| Failure::output(folder, &error);
-        std::fs::create_dir_all(folder).map_err(failed)?;
-        let file = scene.metadata().ok().map(|metadata| (metadata.len(), metadata.modified().ok()));
-        let settings = format!("voxtrace {}\n{settings}\n{file:?}\n", env!("CARGO_PKG_VERSION"));
+    /// Makes the folder of frames; those in it that were made with other settings, or of files that have changed since, are removed.
+    pub fn make_folder(&mut self, settings: &str, scene: &Path, report: &Report) -> Result<(), Failure> {
+        let Some(folder) = self.folder.clone() else { return Ok(()) };
+        let failed = |error: io::Error| Failure::output(&folder, &error);
+        std::fs::create_dir_all(&folder).map_err(failed)?;
+        self.settings = format!("voxtrace {}\n{settings}\nfiles\n", env!("CARGO_PKG_VERSION"));
         let path = folder.join(SETTINGS);
         let frames = self.frames_there().map_err(failed)?;
-        let is_same = std::fs::read_to_string(&path).is_ok_and(|there| there == settings);
+        let is_as_it_was = |line: &str| line.splitn(3, ' ').nth(2).is_some_and(|path| state_of(path) == line);
+        let there = std::fs::read_to_string(&path).unwrap_or_default();
+        let before = there.strip_prefix(self.settings.as_str()).filter(|files| files.lines().all(is_as_it_was));
+        let is_same = before.is_some();
+        // What the frames that are there were made of counts also where this run ends before it reads it.
+        let lines = before.into_iter().flat_map(str::lines);
+        self.inputs.extend(lines.filter_map(|line| Some((line.splitn(3, ' ').nth(2)?.to_owned(), line.to_owned()))));
         if !frames.is_empty() {
             let what = counted(frames.len() as u64, "frame");
             match is_same {
@@ -132,11 +147,38 @@ impl Clip {
                 false => report.remark(&format!("{what} of other settings in {} are made anew", folder.display())),
             }
         }
+        self.add_inputs([scene.to_owned()]);
         if !is_same {
             frames.iter().try_for_each(std::fs::remove_file).map_err(failed)?;
-            std::fs::write(&path, settings).map_err(|error| Failure::output(&path, &error))?;
+            self.keep_made_with(&path).map_err(|error| Failure::output(&path, &error))?;
         }
         Ok(())
+    }
+
+    /// Keeps which files were read until now, beside the frames that are made of them.
+    pub fn note_inputs(&mut self) {
+        self.add_inputs(opened::files());
+        let Some(path) = self.folder.as_ref().map(|folder| folder.join(SETTINGS)) else { return };
+        if self.keep_made_with(&path).is_err() {
+            // Frames are then made anew.
+            let _ = std::fs::remove_file(&path);
+        }
+    }
+
+    fn add_inputs(&mut self, paths: impl IntoIterator<Item = PathBuf>) {
+        for path in paths {
+            // A name that is no line of text is one of a file that has changed.
+            let line = path.to_str().filter(|path| !path.contains('\n'));
+            let state = line.map_or_else(|| "- - -".to_owned(), state_of);
+            self.inputs.entry(line.unwrap_or_default().to_owned()).or_insert(state);
+        }
+    }
+
+    fn keep_made_with(&self, path: &Path) -> io::Result<()> {
+        write_atomically(path, |out| {
+            out.write_all(self.settings.as_bytes())?;
+            self.inputs.values().try_for_each(|state| writeln!(out, "{state}"))
+        })
     }
 
     /// Takes the folder away again where no frame was made.
@@ -164,8 +206,9 @@ impl Clip {
         Ok(frames)
     }
 
-    /// Learns which frames there are.
+    /// Learns which frames there are, and what has been read for them.
     pub fn learn(&mut self, stage: &Stage) {
+        self.note_inputs();
         self.known = Some((stage.frames.clone(), stage.fps()));
     }
 
@@ -177,13 +220,17 @@ impl Clip {
         let cannot = |path: &Path, error: &io::Error| {
             Failure::input(format!("cannot read the frame {}: {error}", path.display()))
         };
-        let (width, height, pixels) = read_png(&first).map_err(|error| cannot(&first, &error))?;
-        let alpha = pixels.iter().any(|pixel| pixel[3] < 255);
+        let (width, height, _) = read_png(&first).map_err(|error| cannot(&first, &error))?;
+        let alpha = has_alpha(&first).map_err(|error| cannot(&first, &error))?;
         let count = frames.end() - frames.start() + 1;
         let options = ClipOptions { width, height, frames: count, fps, quality: args.clip_quality, alpha };
         for clip in &self.clips {
             let format = ClipFormat::of(clip)
                 .ok_or_else(|| Failure::usage(format!("{}: unknown kind of clip", clip.display())))?;
+            if format == ClipFormat::Gif && fps > MOST_GIF_RATE {
+                let most = format!("a GIF has at most {MOST_GIF_RATE} frames a second, and this one plays slower");
+                report.warn(&format!("{}: {most}; .png and .mp4 keep the rate", clip.display()));
+            }
             let passes = if format == ClipFormat::Gif { 2 } else { 1 };
             report.begin_work(&clip.display().to_string(), u64::from(count) * passes);
             let mut done = 0;
@@ -224,25 +271,64 @@ impl Clip {
     }
 }
 
-/// H.264 by ffmpeg, into a file beside the clip that takes its place when it is whole.
+/// A file as it is now: length, time of the last change and name.
+fn state_of(path: &str) -> String {
+    let metadata = Path::new(path).metadata().ok();
+    let length = metadata.as_ref().map_or(0, std::fs::Metadata::len);
+    let changed = metadata.and_then(|metadata| metadata.modified().ok()?.duration_since(UNIX_EPOCH).ok());
+    format!("{length} {} {path}", changed.map_or(0, |time| time.as_nanos()))
+}
+
+/// A new empty file beside a clip, under a name that no other file has.
+fn file_beside(clip: &Path) -> io::Result<PathBuf> {
+    let name = clip.file_name().unwrap_or_default().to_string_lossy();
+    for attempt in 0..1000 {
+        let path = clip.with_file_name(format!(".{name}.{attempt}.part"));
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            Ok(_) => return Ok(path),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(io::ErrorKind::AlreadyExists.into())
+}
+
+/// H.264 by ffmpeg, into a file beside the clip that becomes the clip when it is whole.
 fn by_ffmpeg(
     clip: &Path,
     options: &ClipOptions,
     frames: &mut dyn FnMut(u32) -> io::Result<Vec<[u8; 4]>>,
 ) -> Result<(), Failure> {
     outputs::refuse_inputs(clip)?;
-    let part = outputs::part_path(clip);
+    let failed = |error: io::Error| Failure::output(clip, &error);
+    let part = file_beside(clip).map_err(failed)?;
+    let made = encode_by_ffmpeg(clip, &part, options, frames)
+        .and_then(|()| outputs::write(clip, |out| io::copy(&mut File::open(&part)?, out).map(drop)));
+    let _ = std::fs::remove_file(&part);
+    made
+}
+
+fn encode_by_ffmpeg(
+    clip: &Path,
+    part: &Path,
+    options: &ClipOptions,
+    frames: &mut dyn FnMut(u32) -> io::Result<Vec<[u8; 4]>>,
+) -> Result<(), Failure> {
     let failed = |error: io::Error| Failure::output(clip, &error);
     let ClipOptions { width, height, fps, quality, .. } = *options;
     let crf = (f64::from(100 - quality.min(100)) * 0.8).round().min(51.0);
     let mut child = Command::new("ffmpeg")
         .args(["-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"])
         .args(["-s", &format!("{width}x{height}"), "-r", &fps.to_string(), "-i", "-"])
-        // Sizes are made even first: what follows rounds those of the colours.
-        .args(["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"])
+        // Sizes are made even first: what follows rounds those of the colours. Newer versions take what the colours are from the frames.
+        .args([
+            "-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,\
+             setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709",
+        ])
         .args(["-c:v", "libx264", "-crf", &crf.to_string(), "-pix_fmt", "yuv420p", "-movflags", "+faststart"])
         .args(["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-f", "mp4"])
-        .arg(&part)
+        .arg(part)
         .stdin(Stdio::piped())
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
@@ -252,8 +338,7 @@ fn by_ffmpeg(
     let mut send = || -> io::Result<()> {
         let Some(input) = &mut input else { return Ok(()) };
         for frame in 0..options.frames {
-            let bytes: Vec<u8> =
-                frames(frame)?.into_iter().flat_map(|[red, green, blue, _]| [red, green, blue]).collect();
+            let bytes: Vec<u8> = frames(frame)?.into_iter().flat_map(over_black).collect();
             input.write_all(&bytes)?;
         }
         Ok(())
@@ -261,12 +346,17 @@ fn by_ffmpeg(
     let sent = send();
     drop(input);
     let output = child.wait_with_output().map_err(failed)?;
+    // Where it went away, it says why; else it is a frame that could not be read.
+    if let Err(error) = sent.as_ref()
+        && error.kind() != io::ErrorKind::BrokenPipe
+    {
+        return Err(Failure::output(clip, error));
+    }
     if sent.is_err() || !output.status.success() {
-        let _ = std::fs::remove_file(&part);
         let said = String::from_utf8_lossy(&output.stderr);
         let line = said.lines().last().unwrap_or("it ended early").trim().to_owned();
         return Err(Failure::other(format!("ffmpeg made no {}: {line}", clip.display()))
             .hint("--encoder builtin needs no ffmpeg"));
     }
-    std::fs::rename(&part, clip).map_err(failed)
+    Ok(())
 }

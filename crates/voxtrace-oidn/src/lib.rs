@@ -8,7 +8,7 @@ mod places;
 use glam::Vec3;
 use libloading::Library;
 use std::ffi::{CStr, c_char, c_int, c_void};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub use places::VARIABLE;
 
@@ -85,21 +85,13 @@ impl Oidn {
     /// # Errors
     /// As [`Self::open`].
     pub fn open_of(packages: &[PathBuf]) -> Result<Self, OidnError> {
-        let places = places::places(packages);
-        let mut reasons = Vec::new();
-        for path in &places {
+        let named = places::is_named();
+        first_of(&places::places(packages), named, |path| {
             // SAFETY: loading runs the library's initializers; it is the one that the user named or installed.
-            match unsafe { Library::new(path) } {
-                Ok(library) => return Self::of(library, path.clone()),
-                Err(error) if places::is_named() => reasons.push(format!("{}: {error}", path.display())),
-                Err(_) => {}
-            }
-        }
-        Err(OidnError::NotFound(if reasons.is_empty() {
-            format!("it is not among the system's libraries, and {VARIABLE} does not say where it is")
-        } else {
-            reasons.join("; ")
-        }))
+            let library = unsafe { Library::new(path) };
+            let library = library.map_err(|error| OidnError::NotFound(format!("{}: {error}", path.display())))?;
+            Self::of(library, path.to_owned())
+        })
     }
 
     fn of(library: Library, path: PathBuf) -> Result<Self, OidnError> {
@@ -109,7 +101,7 @@ impl Oidn {
     }
 
     /// The library that was found.
-    pub fn path(&self) -> &std::path::Path {
+    pub fn path(&self) -> &Path {
         &self.path
     }
 
@@ -182,6 +174,29 @@ impl Oidn {
     }
 }
 
+/// The first library that is one, of those at some places: version 1, which systems still have, must not hide another that was installed.
+fn first_of<T>(
+    places: &[PathBuf],
+    is_named: bool,
+    open: impl Fn(&Path) -> Result<T, OidnError>,
+) -> Result<T, OidnError> {
+    let (mut reasons, mut unfit) = (Vec::new(), None);
+    for path in places {
+        match open(path) {
+            Ok(library) => return Ok(library),
+            Err(OidnError::NotFound(reason)) => reasons.push(reason),
+            Err(error) => unfit = unfit.or(Some(error)),
+        }
+    }
+    Err(unfit.unwrap_or_else(|| {
+        OidnError::NotFound(if is_named {
+            reasons.join("; ")
+        } else {
+            format!("it is not among the system's libraries, and {VARIABLE} does not say where it is")
+        })
+    }))
+}
+
 /// A device or a filter, released when it is dropped.
 struct Handle {
     raw: *mut c_void,
@@ -225,3 +240,25 @@ impl Functions {
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_older_library_does_not_hide_one_that_comes_later() {
+        let places = ["gone", "old", "new", "newer"].map(PathBuf::from);
+        let open = |path: &Path| match path.to_str() {
+            Some("gone") => Err(OidnError::NotFound("gone: no such file".into())),
+            Some("old") => Err(OidnError::Version { path: path.to_owned(), reason: "oidnNewDevice is missing".into() }),
+            _ => Ok(path.to_owned()),
+        };
+        assert_eq!(first_of(&places, false, open).unwrap(), Path::new("new"));
+        // Where there is no other it is said which one does not fit, and else why nothing was loaded.
+        assert!(
+            matches!(first_of(&places[..2], false, open), Err(OidnError::Version { path, .. }) if path == Path::new("old"))
+        );
+        let told = |is_named: bool| first_of(&places[..1], is_named, open).unwrap_err().to_string();
+        assert!(told(true).contains("gone: no such file") && told(false).contains(VARIABLE));
+    }
+}

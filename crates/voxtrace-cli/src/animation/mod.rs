@@ -57,6 +57,13 @@ impl Director {
         view.frames.clone().or_else(|| self.total(view, DEFAULT_FPS).map(|total| 1..=total))
     }
 
+    /// The last of the frames that are asked for, where the length of the whole, and with it where things are in each frame, follows from it.
+    pub fn last_of_range(&self, view: &ViewArgs) -> Option<u32> {
+        let moves = view.turntable.is_some() || view.flight.is_some() || self.script.is_some();
+        let last = view.frames.as_ref().map(|frames| *frames.end());
+        last.filter(|_| moves && self.total(view, DEFAULT_FPS).is_none())
+    }
+
     /// Which of the file's animations moves it.
     pub fn clip(&self) -> Option<&str> {
         self.args.animation.as_deref().or_else(|| self.script.as_ref()?.animation.as_deref())

@@ -55,8 +55,10 @@ impl AnimateArgs {
         // Before frames are made; what the scene names is known later, and asked about before a clip is written.
         self.render.scene.note();
         clips.iter().try_for_each(|clip| outputs::check(clip))?;
-        let settings =
-            format!("{}\n{:?}\n{:?}", self.render.settings(), self.motion, script.as_ref().map(|script| &script.text));
+        let director = Director { script, args: self.motion.clone() };
+        let text = director.script.as_ref().map(|script| &script.text);
+        let last = director.last_of_range(&self.render.view);
+        let settings = format!("{}\n{:?}\n{last:?}\n{text:?}", self.render.settings(), self.motion);
         let mut clip = Clip::new(clips, &frames);
         if let Some(folder) = clip.folder() {
             frames.push(clip.pattern().to_owned());
@@ -66,10 +68,10 @@ impl AnimateArgs {
             clip.make_folder(&settings, Path::new(self.render.scene.scene()), report)?;
         }
         self.render.picture.output = frames;
-        let asked = self.motion.animation.clone().or_else(|| script.as_ref()?.animation.clone());
+        let asked = director.clip().map(str::to_owned);
         self.render.scene.import.animation = asked.map_or(ClipChoice::First, ClipChoice::Named);
-        let director = Director { script, args: self.motion.clone() };
         let rendered = self.render.clone().run_directed(Some(&director), &mut |stage| clip.learn(stage), report);
+        clip.note_inputs();
         if rendered.is_err() {
             clip.drop_empty_folder();
         }

@@ -148,7 +148,15 @@ fn check_same_picture((path, part): &(&Path, FilmFile), (next_path, next): &(&Pa
     match part.difference(&frame, &next.scene) {
         Some(difference) => {
             let message = format!("{} and {} are not of one picture", path.display(), next_path.display());
-            Err(Failure::mismatch(format!("{message}: {}", difference.replace("asked for", "in the other"))))
+            let failure = Failure::mismatch(format!("{message}: {}", difference.replace("asked for", "in the other")));
+            let (own, other) = (&part.scene, &next.scene);
+            Err(match own.content_hash != other.content_hash && own.name != other.name {
+                true => failure.hint(format!(
+                    "the scenes are {} and {}: one file under two names must be rendered under one of them",
+                    own.name, other.name
+                )),
+                false => failure,
+            })
         }
         None => Ok(()),
     }
@@ -160,6 +168,11 @@ fn check(parts: &[(&Path, FilmFile)]) -> Result<(), Failure> {
         let (least, most) = part.film.sample_range();
         if parts.len() > 1 && least != most {
             let message = format!("{} was interrupted: its pixels hold {least} to {most} samples", path.display());
+            return Err(Failure::mismatch(message).hint("finish it with `render --resume` first"));
+        }
+        if let Some(group) = part.film.unfinished_group().filter(|_| parts.len() > 1) {
+            let message =
+                format!("{} was interrupted: not all samples have the light of {}", path.display(), group.name());
             return Err(Failure::mismatch(message).hint("finish it with `render --resume` first"));
         }
     }

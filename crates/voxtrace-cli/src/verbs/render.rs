@@ -32,7 +32,7 @@ use denoise::{DenoiseArg, Filter};
 use files::{FileArgs, Job};
 use groups::trace_groups;
 use limits::LimitArgs;
-use resume::Resumed;
+use resume::{Resumed, stamp_of};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use voxtrace::film::Pixel;
@@ -260,7 +260,7 @@ impl RenderArgs {
         camera_file: Option<&CameraFile>,
         resumed: Option<&FilmFile>,
     ) -> Result<SceneStamp, Failure> {
-        let stamp = SceneStamp::of(scene);
+        let stamp = stamp_of(scene, resumed);
         if let Some(file) = camera_file {
             set_light_of(file, scene);
         }

@@ -110,6 +110,55 @@ fn a_clip_that_was_broken_off_goes_on_with_its_frames_and_others_are_made_anew()
 }
 
 #[test]
+fn frames_of_files_that_have_changed_since_or_of_another_turn_are_made_anew() {
+    let folder = Folder::new();
+    let cameras = |x: u32| {
+        let text = format!(
+            "[bookmarks.1]\neye = [12, -30, 18]\ntarget = [12, 12, 2]\n[bookmarks.2]\neye = [{x}, 12, 14]\ntarget = [12, 12, 2]\n"
+        );
+        std::fs::write(folder.path("way.cameras.toml"), text).unwrap();
+    };
+    let clip = |options: &[&str]| {
+        let arguments = [&["animate", "room.vox", "-o", "clip.gif", "--keep-frames"], options, &SMALL[..]].concat();
+        let output = folder.run(&arguments);
+        assert!(output.status.success(), "{}", super::common::stderr(&output));
+        (folder.bytes("clip.gif"), super::common::stderr(&output))
+    };
+    let flight = ["--flight", "way.cameras.toml", "--frames", "1..3"];
+    cameras(50);
+    let (near, _) = clip(&flight);
+    let (again, said) = clip(&flight);
+    assert!(again == near && said.contains("3 frames of an earlier run"), "{said}");
+    // The options are the same, and the flight is another.
+    cameras(150);
+    let (far, said) = clip(&flight);
+    assert!(far != near && said.contains("3 frames of other settings"), "{said}");
+    // How far each frame is on its way depends on how many there are, unless that is said.
+    let (_, said) = clip(&["--flight", "way.cameras.toml", "--frames", "1..4"]);
+    assert!(said.contains("3 frames of other settings"), "{said}");
+    clip(&["--turntable=8", "--frames", "1..2"]);
+    let (_, said) = clip(&["--turntable=8", "--frames", "1..3"]);
+    assert!(said.contains("2 frames of an earlier run"), "{said}");
+}
+
+#[test]
+fn a_clip_is_transparent_where_its_first_frame_happens_to_be_opaque() {
+    let folder = Folder::new();
+    // Down onto the floor, then up to the sky.
+    let script = "scene = \"room.vox\"\nfps = 100\nframes = 2\n[camera]\npath = [\
+        { at = 0, eye = [18, 12, 6], target = [18.5, 12, 0.5] }, { at = 0.01, eye = [18, 12, 6], target = [60, 12, 40] }]\n";
+    std::fs::write(folder.path("turn.toml"), script).unwrap();
+    let arguments = ["animate", "turn.toml", "-o", "f_####.png", "-o", "clip.png", "-o", "clip.gif", "--transparent"];
+    let said = super::common::stderr(&folder.run(&[&arguments[..], &SMALL].concat()));
+    let alphas = |name: &str| folder.png(name).samples.chunks(4).map(|pixel| pixel[3]).collect::<Vec<_>>();
+    assert!(
+        alphas("f_0001.png").iter().all(|&alpha| alpha == 255) && alphas("f_0002.png").iter().all(|&alpha| alpha == 0)
+    );
+    assert_eq!(folder.png("clip.png").channels, 4);
+    assert!(said.contains("clip.gif: a GIF has at most 50 frames a second"), "{said}");
+}
+
+#[test]
 fn other_programs_read_the_clips_frame_by_frame() {
     let folder = folder();
     let clips = ["-o", "f_####.png", "-o", "clip.gif", "-o", "clip.png", "-o", "clip.mp4"];

@@ -30,6 +30,24 @@ fn four_and_four_samples_resumed_are_eight_bit_for_bit() {
 }
 
 #[test]
+fn the_film_of_a_scene_whose_file_was_renamed_goes_on() {
+    let folder = Folder::new();
+    folder.film("whole.vxf", &["--spp", "4"]);
+    folder.film("half.vxf", &["--spp", "2"]);
+    std::fs::copy(folder.path("room.vox"), folder.path("hall.vox")).unwrap();
+    let resume = ["--resume", "half.vxf", "--spp", "4", "--checkpoint", "resumed.vxf"];
+    folder.succeed(&[&["render", "hall.vox"], &resume[..]].concat());
+    assert_eq!(folder.bytes("resumed.vxf"), folder.bytes("whole.vxf"));
+    // Another scene stays another one, whatever it is called.
+    assert!(folder.fail(&[&["render", "hall.vox", "--ground"], &resume[..]].concat(), 5).contains("scene "));
+    // Without the scene nobody knows, and the names say what it may be.
+    folder.succeed(&["render", "hall.vox", "--size", "32x24", "--spp", "2", "--first-sample", "2", "-o", "rest.vxf"]);
+    folder.succeed(&["render", "room.vox", "--size", "32x24", "--spp", "2", "-o", "first.vxf"]);
+    let told = folder.fail(&["merge", "first.vxf", "rest.vxf", "-o", "m.vxf"], 5);
+    assert!(told.contains("the scenes are room and hall"), "{told}");
+}
+
+#[test]
 fn light_groups_are_resumed_and_merged_and_become_layers() {
     let folder = Folder::new();
     let options = ["--light-groups", "--sun", "120,40"];
@@ -50,6 +68,12 @@ fn light_groups_are_resumed_and_merged_and_become_layers() {
     for layer in ["sun.R", "sky.G", "emitters.B"] {
         assert!(exr.windows(layer.len()).any(|part| part == layer.as_bytes()), "{layer}");
     }
+    // One whose last group was still gathered has not all light of its samples.
+    let mut broken = FilmFile::open(&folder.path("rest.vxf")).unwrap();
+    broken.film.groups[2].1.iter_mut().for_each(|pixel| pixel.samples -= 1);
+    broken.save(&folder.path("broken.vxf")).unwrap();
+    let told = folder.fail(&["merge", "half.vxf", "broken.vxf", "-o", "m.vxf"], 5);
+    assert!(told.contains("broken.vxf was interrupted: not all samples have the light of emitters"), "{told}");
     // The picture itself is that without groups, and such a film has none to merge with.
     folder.film("plain.vxf", &["--sun", "120,40", "--spp", "4"]);
     assert_eq!(FilmFile::open(&folder.path("plain.vxf")).unwrap().film.pixels, film.pixels);

@@ -1,12 +1,13 @@
 //! Pictures as a screen shows them, read from the files that voxtrace writes: PNG (of any program), EXR, film files.
 
 use crate::output::{FILM_MAGIC, FilmFile, FilmFileError, ToneMap};
-use exr::prelude::{ReadChannels, ReadLayers, read};
+use exr::prelude::{MetaData, ReadChannels, ReadLayers, read};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::Path;
+use voxtrace_core::frame::MAX_PIXELS;
 
 const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
 const EXR_MAGIC: &[u8] = &[0x76, 0x2f, 0x31, 0x01];
@@ -77,11 +78,21 @@ impl Shown {
     }
 }
 
+/// Refuses sizes that no picture of ours has, before anything of that size is allocated: a damaged file may say any.
+fn check_size(width: u64, height: u64) -> Result<(), ShownError> {
+    if width.saturating_mul(height) <= MAX_PIXELS {
+        return Ok(());
+    }
+    Err(ShownError::Malformed(format!("{width} x {height} are more than {MAX_PIXELS} pixels")))
+}
+
 fn of_png(bytes: &[u8]) -> Result<Shown, ShownError> {
     let malformed = |error: png::DecodingError| ShownError::Malformed(error.to_string());
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(malformed)?;
+    let info = reader.info();
+    check_size(info.width.into(), info.height.into())?;
     let size = reader.output_buffer_size().ok_or_else(|| ShownError::Malformed("the picture is too large".into()))?;
     let mut samples = vec![0; size];
     let frame = reader.next_frame(&mut samples).map_err(malformed)?;
@@ -112,6 +123,10 @@ fn of_png(bytes: &[u8]) -> Result<Shown, ShownError> {
 
 fn radiance_of_exr(bytes: Vec<u8>) -> Result<(u32, u32, Vec<Vec3>), ShownError> {
     type Pixels = (usize, Vec<Vec3>);
+    let malformed = |error: exr::error::Error| ShownError::Malformed(error.to_string());
+    for header in MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(malformed)?.headers {
+        check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
+    }
     let image = read()
         .no_deep_data()
         .largest_resolution_level()
@@ -125,7 +140,28 @@ fn radiance_of_exr(bytes: Vec<u8>) -> Result<(u32, u32, Vec<Vec3>), ShownError> 
         .first_valid_layer()
         .all_attributes()
         .from_buffered(Cursor::new(bytes))
-        .map_err(|error| ShownError::Malformed(error.to_string()))?;
+        .map_err(malformed)?;
     let size = image.layer_data.size;
     Ok((size.width() as u32, size.height() as u32, image.layer_data.channel_data.pixels.1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_that_says_that_it_is_huge_is_refused_before_it_has_room() {
+        let of_size = |width: u32, height: u32| {
+            let mut bytes = Vec::new();
+            let mut writer = png::Encoder::new(&mut bytes, width, height).write_header().unwrap();
+            writer.write_chunk(png::chunk::IDAT, &[0]).unwrap();
+            drop(writer);
+            of_png(&bytes).unwrap_err().to_string()
+        };
+        assert_eq!(of_size(200_000, 150_000), "200000 x 150000 are more than 268435456 pixels");
+        assert!(!of_size(20, 15).contains("more than"), "a small one is read, and found to be damaged");
+        check_size(1 << 14, 1 << 14).unwrap();
+        check_size((1 << 14) + 1, 1 << 14).unwrap_err();
+        check_size(u64::MAX, 2).unwrap_err();
+    }
 }

@@ -68,7 +68,10 @@ fn channels(film: &Film, denoised: Option<&[Vec3]>, options: ExrOptions) -> Vec<
     let mut channels = Vec::new();
     let mut float = |name: &str, half: bool, values: Vec<f32>| {
         let samples = if half && options.half {
-            FlatSamples::F16(values.into_iter().map(f16::from_f32).collect())
+            // What is brighter than the largest number of 16 bits, such as the disc of a strong sun, must not become infinite: a blur of that
+            // is infinite far around.
+            let most = f16::MAX.to_f32();
+            FlatSamples::F16(values.into_iter().map(|value| f16::from_f32(value.clamp(-most, most))).collect())
         } else {
             FlatSamples::F32(values)
         };
@@ -105,10 +108,9 @@ fn channels(film: &Film, denoised: Option<&[Vec3]>, options: ExrOptions) -> Vec<
     channels
 }
 
-/// EXR texts are Latin-1 in the encoder's hands: other characters become `?`.
+/// Texts of an EXR are UTF-8. The encoder by itself writes Latin-1, which OpenEXR's readers refuse, and nothing beyond it.
 fn text_of(text: &str) -> Text {
-    Text::new_or_none(text)
-        .unwrap_or_else(|| text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect::<String>().as_str().into())
+    Text::from_slice_unchecked(text.as_bytes())
 }
 
 /// Sorts the attributes of a one-part EXR by name, in place: the encoder writes them in the order of a randomly seeded
@@ -128,4 +130,39 @@ fn sort_attributes(file: &mut [u8]) -> Option<()> {
     attributes.sort();
     file.get_mut(START..at)?.copy_from_slice(&attributes.concat());
     Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::SceneStamp;
+    use exr::prelude::{ReadChannels, ReadLayers};
+    use voxtrace_core::{Frame, PackedScene, Region};
+    use voxtrace_scene::{Camera, Scene};
+
+    #[test]
+    fn texts_are_utf_8_and_light_beyond_16_bits_stays_finite() {
+        let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+        // The disc of a strong sun.
+        film.pixels[0].add(Vec3::splat(262_144.0), true);
+        let camera = Camera { name: "Kanzel ü".into(), ..Camera::look_at(Vec3::ZERO, Vec3::X) };
+        let name = "教会".into();
+        let scene = SceneStamp { name, ..SceneStamp::of(&PackedScene::pack(&Scene::default()).unwrap()) };
+        let metadata = Metadata::new(&Frame::new(camera, 1, 1), &scene, &film);
+        for (half, most) in [(true, 65_504.0), (false, 262_144.0)] {
+            let mut bytes = Vec::new();
+            write_exr(&mut bytes, &film, &ExrOptions { half, alpha: false }, &metadata).unwrap();
+            let reader = exr::prelude::read().no_deep_data().largest_resolution_level();
+            let image = reader.all_channels().all_layers().all_attributes().from_buffered(Cursor::new(bytes)).unwrap();
+            let layer = &image.layer_data[0];
+            let values = layer.channel_data.list.iter().map(|channel| channel.sample_data.values_as_f32().next());
+            assert_eq!(values.collect::<Vec<_>>(), [1.0, most, most, most].map(Some), "A, B, G, R");
+            let text = |name: &str| match layer.attributes.other.get(&Text::from(name)) {
+                Some(AttributeValue::Text(text)) => text.as_slice().to_vec(),
+                other => panic!("{name}: {other:?}"),
+            };
+            assert_eq!(text("voxtrace.camera"), "Kanzel ü".as_bytes());
+            assert_eq!(text("voxtrace.scene"), "教会".as_bytes());
+        }
+    }
 }

@@ -18,7 +18,7 @@ use voxtrace_scene::Sky;
 /// Which scene a film shows, in which light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneStamp {
-    /// Name for people; scenes with different names may still be the same.
+    /// Name for people. It is a part of the hash: a scene by another name has another one.
     pub name: String,
     /// [`PackedScene::content_hash`] before options changed its light.
     pub content_hash: u64,
@@ -93,8 +93,8 @@ impl FilmFile {
         Self::from_bytes(&std::fs::read(path)?)
     }
 
-    /// Why a film that `self` holds is not one of `frame` and `scene`, in words; `None` if it is. The number of samples,
-    /// the scene's name and the AOVs, which any run can add, do not count.
+    /// Why a film that `self` holds is not one of `frame` and `scene`, in words; `None` if it is. The number of samples
+    /// and the AOVs, which any run can add, do not count.
     pub fn difference(&self, frame: &Frame, scene: &SceneStamp) -> Option<String> {
         let (ours, theirs) = (&self.frame, frame);
         let pairs: [(&str, String, String); 19] = [

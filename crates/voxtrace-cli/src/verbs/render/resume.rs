@@ -5,8 +5,8 @@ use crate::picture::path_of_view;
 use crate::verbs::merge::open_film;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use voxtrace::output::FilmFile;
-use voxtrace::{Film, Region};
+use voxtrace::output::{FilmFile, SceneStamp};
+use voxtrace::{Film, PackedScene, Region};
 
 /// What a render goes on with.
 pub struct Resumed {
@@ -56,4 +56,16 @@ impl Resumed {
         let path = self.path(frame);
         if path.exists() { open_film(&path).map(Some) } else { Ok(None) }
     }
+}
+
+/// The stamp of films of a scene. The hash has its name, too: one whose file was renamed since keeps the name that the film to continue knows.
+pub fn stamp_of(scene: &PackedScene, resumed: Option<&FilmFile>) -> SceneStamp {
+    let stamp = SceneStamp::of(scene);
+    let Some(film) = resumed.map(|file| &file.scene) else { return stamp };
+    if film.content_hash == stamp.content_hash || film.name == stamp.name {
+        return stamp;
+    }
+    let mut named = scene.clone();
+    named.name.clone_from(&film.name);
+    Some(SceneStamp::of(&named)).filter(|named| named.content_hash == film.content_hash).unwrap_or(stamp)
 }

@@ -59,9 +59,19 @@ impl ClipFormat {
     /// without the feature `mp4`.
     pub fn encode(self, out: impl Write, options: &ClipOptions, frames: Frames) -> io::Result<()> {
         let size = options.width as usize * options.height as usize;
+        let keeps_alpha = self == Self::Apng && options.alpha;
         let mut checked = |frame: u32| {
-            let pixels = frames(frame)?;
-            if pixels.len() == size { Ok(pixels) } else { Err(io::Error::from(io::ErrorKind::InvalidInput)) }
+            let mut pixels = frames(frame)?;
+            if pixels.len() != size {
+                return Err(io::Error::from(io::ErrorKind::InvalidInput));
+            }
+            if !keeps_alpha {
+                for pixel in pixels.iter_mut().filter(|pixel| pixel[3] < u8::MAX) {
+                    let [red, green, blue] = over_black(*pixel);
+                    *pixel = [red, green, blue, u8::MAX];
+                }
+            }
+            Ok(pixels)
         };
         match self {
             Self::Gif => gif::encode(out, options, &mut checked),
@@ -95,12 +105,31 @@ pub fn read_png(path: &Path) -> io::Result<(u32, u32, Vec<[u8; 4]>)> {
     Ok((info.width, info.height, pixels))
 }
 
+/// Whether pixels of a PNG may be transparent, by what it says at its beginning: one frame that happens to be opaque does not tell.
+///
+/// # Errors
+/// What the operating system or the decoder reports.
+#[doc(hidden)]
+pub fn has_alpha(path: &Path) -> io::Result<bool> {
+    let reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info().map_err(io::Error::other)?;
+    let info = reader.info();
+    Ok(info.trns.is_some() || matches!(info.color_type, png::ColorType::Rgba | png::ColorType::GrayscaleAlpha))
+}
+
+/// The colour of a pixel in formats where nothing is transparent: before black, as screens blend.
+#[doc(hidden)]
+pub fn over_black([red, green, blue, alpha]: [u8; 4]) -> [u8; 3] {
+    [red, green, blue].map(|channel| ((u32::from(channel) * u32::from(alpha) + 127) / 255) as u8)
+}
+
 /// A frame rate as a fraction: whole numbers as they are, those of film and television over 1001, others to a thousandth.
 fn fraction(fps: f64) -> (u32, u32) {
     let over = |denominator: u32| (fps * f64::from(denominator)).round();
     for denominator in [1, 1001] {
         let numerator = over(denominator);
-        if (numerator / f64::from(denominator) - fps).abs() < 1e-6 * fps {
+        // People write 23.976 and 29.97, which are a millionth below. Over 1001 there are only thousands.
+        let is_usual = denominator == 1 || numerator % 1000.0 == 0.0;
+        if is_usual && (numerator / f64::from(denominator) - fps).abs() < 2e-6 * fps {
             return (numerator as u32, denominator);
         }
     }
@@ -117,6 +146,31 @@ mod tests {
             (fraction(24.0), fraction(12.5), fraction(30000.0 / 1001.0)),
             ((24, 1), (12_500, 1000), (30_000, 1001))
         );
+        let short = [23.976_f32, 29.97, 59.94, 23.98].map(|fps| fraction(fps.into()));
+        assert_eq!(short, [(24_000, 1001), (30_000, 1001), (60_000, 1001), (23_980, 1000)]);
+    }
+
+    #[test]
+    fn what_is_transparent_stays_so_or_lies_before_black() {
+        let half = [200, 100, 51, 128];
+        assert_eq!((over_black(half), over_black([200, 100, 51, 255])), ([100, 50, 26], [200, 100, 51]));
+        let shown = |format: ClipFormat, alpha: bool| {
+            let options = ClipOptions { width: 1, height: 1, frames: 1, fps: 10.0, quality: 80, alpha };
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("clip.png");
+            let mut bytes = Vec::new();
+            format.encode(&mut bytes, &options, &mut |_| Ok(vec![half])).unwrap();
+            if format == ClipFormat::Gif {
+                // The palette has the one colour.
+                return vec![bytes[13], bytes[14], bytes[15]];
+            }
+            std::fs::write(&path, bytes).unwrap();
+            assert_eq!(has_alpha(&path).unwrap(), alpha);
+            read_png(&path).unwrap().2.concat()
+        };
+        assert_eq!(shown(ClipFormat::Apng, true), half);
+        assert_eq!(shown(ClipFormat::Apng, false), [100, 50, 26, 255]);
+        assert_eq!(shown(ClipFormat::Gif, true), [100, 50, 26]);
     }
 
     #[test]
