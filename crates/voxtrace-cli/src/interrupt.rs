@@ -6,6 +6,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
+/// Whether the first signal ends the process, too.
+static AT_ONCE: AtomicBool = AtomicBool::new(false);
 
 /// Whether work is to stop.
 type IsOver = Arc<dyn Fn() -> bool + Send + Sync>;
@@ -24,11 +26,18 @@ pub fn also_when(is_over: impl Fn() -> bool + Send + Sync + 'static) {
 /// Installs the handler, once in a process.
 pub fn install() -> Result<(), Failure> {
     let handler = || {
-        if REQUESTED.swap(true, Ordering::SeqCst) {
+        if REQUESTED.swap(true, Ordering::SeqCst) || AT_ONCE.load(Ordering::SeqCst) {
             std::process::exit(Kind::Interrupted as i32);
         }
     };
     ctrlc::set_handler(handler).map_err(|error| Failure::other(format!("cannot handle signals: {error}")))
+}
+
+/// From now on the first signal ends the process at once: for work that keeps nothing, and looks for no end within minutes.
+#[cfg(feature = "view")]
+pub fn end_at_once() -> Result<(), Failure> {
+    AT_ONCE.store(true, Ordering::SeqCst);
+    check()
 }
 
 /// Whether somebody asked to stop.

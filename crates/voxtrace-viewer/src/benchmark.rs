@@ -129,14 +129,27 @@ impl Host for Window {
 impl Session {
     /// The cells that are measured, as `voxtrace bench --cells` has them: what traces, and what it is compared with.
     pub fn bench_cells(&self) -> Vec<String> {
+        let settings = &self.render_settings;
         let name = |traversal: Traversal, primitive: voxtrace_vulkan::Primitive| match traversal.uses_primitives() {
             true => format!("{}:{}", traversal.name(), primitive.name()),
             false => traversal.name().to_owned(),
         };
-        let mut cells = vec![name(self.render_settings.traversal, self.render_settings.primitive)];
-        cells.extend(self.comparison.as_ref().map(|other| name(other.traversal, other.primitive)));
+        let mut cells = vec![name(settings.traversal, settings.primitive)];
+        cells.extend(self.comparison.as_ref().map(|other| {
+            let cell = name(other.traversal, other.primitive);
+            // Where nothing else is said, all round as the picture's tracer does.
+            match other.traversal != Traversal::Cpu && other.fast != self.is_fast() {
+                true => format!("{cell}:{}", if other.fast { "fast" } else { "precise" }),
+                false => cell,
+            }
+        }));
         cells.dedup();
         cells
+    }
+
+    /// Whether the driver may round as it likes for the picture.
+    fn is_fast(&self) -> bool {
+        self.render_settings.fast && self.render_settings.traversal != Traversal::Cpu
     }
 
     /// What a benchmark of the view measures, `device` being the window's; `None` without a scene.
@@ -147,7 +160,7 @@ impl Session {
         let request = Request {
             scenes: vec![SceneEntry::named(&scene.name)],
             cells: self.bench_cells(),
-            precise: !self.render_settings.fast,
+            precise: !self.is_fast(),
             frames: Some(FRAMES),
             warm_up: Some(WARM_UP),
             time_limit: Some(Duration::from_secs(SECONDS)),
@@ -162,10 +175,16 @@ impl Session {
         Some(Subject { scene, request })
     }
 
-    /// Measures the view, or stops measuring.
+    /// Whether something is measured: nothing else is to be traced meanwhile.
+    pub(crate) fn is_measured(&self) -> bool {
+        self.benchmark.is_some() || self.running.as_ref().is_some_and(|running| running.request.measures)
+    }
+
+    /// Measures the view, or stops measuring. What is made beside the window would share the device, or the cores, with it.
     pub fn toggle_benchmark(&mut self) {
         match &self.benchmark {
             Some(benchmark) => benchmark.cancel(),
+            None if self.running.is_some() || self.exporting.is_some() => self.say(tr!("running.busy"), true),
             None if self.open.is_some() => {
                 self.measured = None;
                 // What traces would share the device, or the cores, with what is measured.

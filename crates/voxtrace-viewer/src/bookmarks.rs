@@ -84,6 +84,11 @@ impl Bookmarks {
         self.change(number, |bookmarks| {
             let entry = bookmarks.entry(number.to_string()).or_insert_with(|| Value::Table(Table::new()));
             if let Value::Table(entry) = entry {
+                // Nothing stays of the lens that was kept before: a pinhole says none.
+                if let Ok(before) = camera_toml::read(entry) {
+                    before.lens.settings().into_iter().for_each(|(key, _)| _ = entry.remove(key));
+                }
+                entry.remove("lens");
                 camera_toml::write(camera, entry);
             }
         })
@@ -126,6 +131,7 @@ fn camera_of(table: &Table, number: u8) -> Result<Option<Camera>, String> {
 mod tests {
     use super::*;
     use std::fs;
+    use voxtrace::camera::Lens;
     use voxtrace::glam::Vec3;
 
     fn camera(x: f32) -> Camera {
@@ -167,6 +173,21 @@ mod tests {
         assert_eq!(table["tour"]["speed"].as_float(), Some(0.25));
         assert_eq!(table["bookmarks"]["order"].as_array().map(Vec::len), Some(2));
         assert_eq!(table["bookmarks"]["2"]["note"].as_str(), Some("door"));
+    }
+
+    #[test]
+    fn a_camera_takes_the_place_of_one_with_another_lens() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.cameras.toml");
+        let mut bookmarks = Bookmarks::open(&path).unwrap();
+        let thin = Lens::Thin { aperture: 1.5, focus: 9.0, blades: 5, blade_rotation: 10.0 };
+        for lens in [thin, Lens::Pinhole, Lens::Orthographic { view_height: 20.0 }, Lens::Pinhole] {
+            let kept = camera(1.0).with_lens(lens);
+            bookmarks.store(1, &kept).unwrap();
+            assert_eq!(Bookmarks::open(&path).unwrap().get(1), Some(&kept));
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(!["lens", "aperture", "view_height"].iter().any(|key| text.contains(key)), "{text}");
     }
 
     #[test]

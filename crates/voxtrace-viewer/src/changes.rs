@@ -2,6 +2,7 @@
 //! all of it.
 
 use crate::editing::{Editing, Steps};
+use crate::scale::Scale;
 use crate::session::{Command, Session};
 use crate::tr;
 use voxtrace::changes::MaterialChange;
@@ -91,6 +92,7 @@ impl Session {
         if let Some(editing) = &mut self.editing {
             (editing.editor, editing.is_ready, editing.stroke) = (None, false, None);
             (editing.before, editing.steps, editing.recovered) = (None, Steps::default(), None);
+            editing.has_failed = false;
             editing.pending.clear();
             // Steps are counted anew: none of them is the one that a file holds.
             let files = [&mut editing.saved, &mut editing.saving];
@@ -122,14 +124,16 @@ impl Session {
     /// Other points may lie elsewhere in the scene, and in voxels of another size: the camera goes with the map.
     fn stay_on_map(&mut self, scene: &voxtrace::PackedScene) {
         let Some(open) = &self.open else { return };
-        let (Some(old), Some(new)) = (&open.original.georeference, &scene.georeference) else { return };
+        let (old, new) = (Scale::of(&open.original), Scale::of(scene));
         if old == new {
             return;
         }
-        let new_from_old = new.coordinates_from_world.inverse() * old.coordinates_from_world;
+        let new_from_old = new.world_from_other(&old);
+        let scale = new_from_old.matrix3.determinant().abs().cbrt() as f32;
         let moved = |point: voxtrace::glam::Vec3| new_from_old.transform_point3(point.as_dvec3()).as_vec3();
         let camera = self.navigator.camera().clone();
-        let camera = voxtrace::Camera { eye: moved(camera.eye), target: moved(camera.target), ..camera };
+        let (eye, target, lens) = (moved(camera.eye), moved(camera.target), camera.lens.scaled(scale));
+        let camera = voxtrace::Camera { eye, target, lens, ..camera };
         self.navigator = self.navigator.in_scene(camera, scene.bounds());
         self.ask(Command::SetView);
     }

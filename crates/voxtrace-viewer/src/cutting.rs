@@ -1,9 +1,11 @@
 //! How the window cuts a scene open: a box, a slice, planes, and whether what is cut away still casts shadows. All of it is also an
 //! option of `voxtrace render`, in the order in which `render` makes the cuts.
 
+use crate::scale::Scale;
 use crate::session::Session;
+use voxtrace::PackedScene;
 use voxtrace::cuts::{CutError, Cuts, Plane};
-use voxtrace::glam::Vec3;
+use voxtrace::glam::{DAffine3, Vec3};
 
 /// The least distance between two sides, voxels.
 pub const LEAST: f32 = 0.1;
@@ -59,6 +61,30 @@ impl Cutting {
         let is_cut = !all.is_empty();
         Cuts::from_parts(&all, is_cut && (self.shadows || own.casts_shadows()))
     }
+
+    /// Brings it into a world with voxels of another size, or of another place.
+    pub(crate) fn transform(&mut self, new_from_old: &DAffine3) {
+        let matrix = new_from_old.matrix3;
+        let moved = |point: Vec3| new_from_old.transform_point3(point.as_dvec3()).as_vec3();
+        if let Some([min, max]) = &mut self.clip_box {
+            let corners = [moved(*min), moved(*max)];
+            (*min, *max) = (corners[0].min(corners[1]), corners[0].max(corners[1]));
+        }
+        if let Some(Slice { axis, from, thickness }) = &mut self.slice {
+            let mut place = Vec3::ZERO;
+            place[*axis] = *from;
+            *from = moved(place)[*axis];
+            *thickness *= matrix.col(*axis)[*axis].abs() as f32;
+        }
+        for (normal, offset) in &mut self.planes {
+            // By the inverse transpose, as normals are; it stays as long as it was.
+            let own = normal.as_dvec3();
+            let turned = matrix.inverse().transpose() * own;
+            let factor = own.length() / turned.length();
+            *offset = ((f64::from(*offset) + turned.dot(new_from_old.translation)) * factor) as f32;
+            *normal = (turned * factor).as_vec3();
+        }
+    }
 }
 
 impl Session {
@@ -66,6 +92,19 @@ impl Session {
     pub fn whole_box(&self) -> Option<[Vec3; 2]> {
         let (min, max) = self.open.as_ref()?.original.bounds()?;
         Some([min.floor(), max.ceil()])
+    }
+
+    /// The scene is about to be shown with other voxels: what is kept of it, what is around it and the camera's way stay in their place.
+    pub(crate) fn stay_in_place(&mut self, scene: &PackedScene) {
+        let Some(open) = &self.open else { return };
+        let (old, new) = (Scale::of(&open.original), Scale::of(scene));
+        if old == new {
+            return;
+        }
+        let new_from_old = new.world_from_other(&old);
+        self.render_settings.cutting.transform(&new_from_old);
+        self.render_settings.surroundings.transform(&new_from_old);
+        self.time_in(&new_from_old);
     }
 
     /// Cuts the scene open, or closes it. A file that leaves out what nobody sees inside is read again.
@@ -89,6 +128,23 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use voxtrace::glam::DVec3;
+
+    #[test]
+    fn in_voxels_of_another_size_and_place_the_same_points_are_kept() {
+        let new_from_old = DAffine3::from_translation(DVec3::splat(40.0)) * DAffine3::from_scale(DVec3::splat(2.0));
+        let slice = Slice { axis: 2, from: 3.0, thickness: 1.5 };
+        let planes = vec![(Vec3::new(0.0, 3.0, 4.0), 7.0)];
+        let clip_box = Some([Vec3::new(-1.5, 0.0, 2.0), Vec3::splat(9.0)]);
+        let mut cutting = Cutting { clip_box, slice: Some(slice), planes, shadows: true };
+        cutting.transform(&new_from_old);
+        assert_eq!(cutting.clip_box, Some([Vec3::new(37.0, 40.0, 44.0), Vec3::splat(58.0)]));
+        assert_eq!(cutting.slice, Some(Slice { axis: 2, from: 46.0, thickness: 3.0 }));
+        let (normal, offset) = cutting.planes[0];
+        assert!(normal.distance(Vec3::new(0.0, 3.0, 4.0)) < 1e-5, "{normal}");
+        // The point (0, 1, 1) was on the plane.
+        assert!((normal.dot(Vec3::new(40.0, 42.0, 42.0)) - offset).abs() < 1e-3, "{offset}");
+    }
 
     #[test]
     fn cuts_come_in_the_order_of_render_and_those_of_the_scene_stay() {

@@ -62,12 +62,14 @@ impl LensChoice {
         }
     }
 
-    /// Name of the lens in files and options.
-    fn lens(self) -> &'static str {
+    /// Name of the lens in files and options: constant, as what it is for people is another in each language.
+    const fn lens(self) -> &'static str {
         match self {
+            Self::Pinhole => "pinhole",
             Self::ThinLens => "thin-lens",
-            Self::Isometric => "orthographic",
-            other => other.name(),
+            Self::Orthographic | Self::Isometric => "orthographic",
+            Self::Panorama => "panorama",
+            Self::Fisheye => "fisheye",
         }
     }
 }
@@ -162,5 +164,29 @@ impl Session {
             _ => Motion::FieldOfView(camera.fov_y + degrees),
         };
         self.move_by(motion);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_choice_has_the_name_of_its_lens_in_files_whatever_language_is_spoken() {
+        const NAMES: [&str; 6] = {
+            let mut names = [""; 6];
+            let mut index = 0;
+            while index < names.len() {
+                names[index] = LensChoice::ALL[index].lens();
+                index += 1;
+            }
+            names
+        };
+        for (choice, name) in LensChoice::ALL.into_iter().zip(NAMES) {
+            let lens = Lens::from_settings(name, |_| Some(10.0)).unwrap();
+            let camera = Camera::look_at(ISOMETRIC, Vec3::ZERO).with_lens(lens);
+            let of_camera = LensChoice::of(&camera);
+            assert_eq!(of_camera, if choice == LensChoice::Orthographic { LensChoice::Isometric } else { choice });
+        }
     }
 }

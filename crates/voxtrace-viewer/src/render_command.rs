@@ -172,10 +172,9 @@ impl RenderCommand {
         self.check()?;
         let mut words = match &self.sequence {
             Some(Sequence::Animation { file, .. } | Sequence::Frame { file, .. }) => {
-                let scene = SceneArgument::File(file.clone());
-                Self { scene, ..self.clone() }.begin("animate")?
+                self.begin("animate", &SceneArgument::File(file.clone()))?
             }
-            _ => self.begin("render")?,
+            _ => self.begin("render", &self.scene)?,
         };
         for output in &self.outputs {
             words.value("--output", Some(unicode(output)?.to_owned()));
@@ -209,9 +208,9 @@ impl RenderCommand {
         Ok(words.0)
     }
 
-    /// The verb, the scene, and how it is read.
-    fn begin(&self, verb: &str) -> Result<Words, CommandError> {
-        let mut words = Words(vec!["voxtrace".into(), verb.into(), self.scene_word()?]);
+    /// The verb, the scene or the file that names it, and how it is read.
+    fn begin(&self, verb: &str, named: &SceneArgument) -> Result<Words, CommandError> {
+        let mut words = Words(vec!["voxtrace".into(), verb.into(), scene_word(named)?]);
         if let SceneArgument::BuiltIn { voxels, .. } = &self.scene {
             words.value("--voxels", voxels.map(|voxels| voxels.to_string()));
         }
@@ -231,7 +230,7 @@ impl RenderCommand {
         if !self.surroundings.is_none() {
             return Err(CommandError::Refused(tr!("command.bench_alone")));
         }
-        let mut words = self.begin("bench")?;
+        let mut words = self.begin("bench", &self.scene)?;
         self.say_view(&mut words);
         self.say_light(&mut words)?;
         self.say_changes(&mut words);
@@ -249,16 +248,6 @@ impl RenderCommand {
         words.value("--device", self.device.clone());
         words.flag("--precise", !self.fast);
         Ok(words.line())
-    }
-
-    fn scene_word(&self) -> Result<String, CommandError> {
-        let path = match &self.scene {
-            SceneArgument::BuiltIn { name, .. } => return Ok(name.clone()),
-            SceneArgument::File(path) => unicode(path)?,
-        };
-        // A name that means something else names a file with its folder.
-        let is_ambiguous = path.starts_with('-') || scenes::NAMES.contains(&path);
-        Ok(if is_ambiguous { format!("./{path}") } else { path.to_owned() })
     }
 
     fn say_view(&self, words: &mut Words) {
@@ -361,6 +350,16 @@ impl RenderCommand {
 /// Bounces where none are said.
 pub(crate) fn usual_bounces(integrator: Integrator) -> u32 {
     if integrator == Integrator::Essay { 3 } else { 8 }
+}
+
+fn scene_word(scene: &SceneArgument) -> Result<String, CommandError> {
+    let path = match scene {
+        SceneArgument::BuiltIn { name, .. } => return Ok(name.clone()),
+        SceneArgument::File(path) => unicode(path)?,
+    };
+    // A name that means something else names a file with its folder.
+    let is_ambiguous = path.starts_with('-') || scenes::NAMES.contains(&path);
+    Ok(if is_ambiguous { format!("./{path}") } else { path.to_owned() })
 }
 
 fn unicode(path: &Path) -> Result<&str, CommandError> {

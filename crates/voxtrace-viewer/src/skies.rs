@@ -58,7 +58,7 @@ impl MadeSky {
 #[derive(Default)]
 pub struct Skies {
     made: Option<MadeSky>,
-    making: Option<Receiver<Result<MadeSky, String>>>,
+    making: Option<(SkySource, Receiver<Result<MadeSky, String>>)>,
 }
 
 impl Skies {
@@ -115,7 +115,7 @@ impl Session {
     pub fn make_sky(&mut self, wake: Arc<dyn Fn() + Send + Sync>) {
         let Some(source) = self.sky_source().filter(|_| !self.skies.is_making()) else { return };
         let (sender, making) = channel();
-        self.skies.making = Some(making);
+        self.skies.making = Some((source.clone(), making));
         std::thread::spawn(move || {
             threads::yield_to_window();
             let made = catch_unwind(AssertUnwindSafe(|| MadeSky::of(source)));
@@ -127,7 +127,8 @@ impl Session {
 
     /// Takes a sky that was made. Where another is asked for by now, that is made next; where there is none, the scene's own comes back.
     pub fn take_sky(&mut self) {
-        let Some(making) = &self.skies.making else { return };
+        let Some((source, making)) = &self.skies.making else { return };
+        let is_wanted = self.sky_source().as_ref() == Some(source);
         let result = match making.try_recv() {
             Err(TryRecvError::Empty) => return,
             Err(TryRecvError::Disconnected) => Err(tr!("sky.not_made").into()),
@@ -138,7 +139,9 @@ impl Session {
             Ok(made) => self.skies.made = Some(made),
             Err(error) => {
                 self.say(error, true);
-                (self.render_settings.sky, self.render_settings.sky_rotation) = (None, None);
+                if is_wanted {
+                    (self.render_settings.sky, self.render_settings.sky_rotation) = (None, None);
+                }
             }
         }
         self.change_light();
@@ -158,6 +161,8 @@ impl Session {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let mut settings = self.render_settings.clone();
         (settings.sky, settings.sky_rotation) = (Some(SkySetting::Panorama(path)), None);
+        // The panel's field names this one from now on.
+        self.panorama = None;
         self.set_render_settings(settings);
     }
 }

@@ -9,6 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use voxtrace::PackedScene;
+use voxtrace::glam::{DAffine3, DVec3};
 use voxtrace::surroundings::{Fog, Ground};
 
 /// What is around a scene.
@@ -24,6 +25,17 @@ impl Surroundings {
     /// Whether there is nothing around the scene.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// Brings them into a world with voxels of another size, or of another place.
+    pub(crate) fn transform(&mut self, new_from_old: &DAffine3) {
+        if let Some(height) = self.ground.as_mut().and_then(|ground| ground.height.as_mut()) {
+            *height = new_from_old.transform_point3(DVec3::new(0.0, 0.0, f64::from(*height))).z as f32;
+        }
+        if let Some(fog) = &mut self.fog {
+            // On a way as long as before light is scattered as often.
+            fog.density /= new_from_old.matrix3.determinant().abs().cbrt() as f32;
+        }
     }
 
     /// The scene with them.

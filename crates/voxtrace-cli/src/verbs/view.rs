@@ -96,6 +96,8 @@ impl ViewerArgs {
         let source = self.scenes.first().cloned().unwrap_or_default();
         let reading = Reading::default();
         let scene = self.into_loader().load(&source, &reading, Box::new(|_| {}), &Wanted::default());
+        // A device in software takes seconds for a frame.
+        interrupt::end_at_once()?;
         Ok((device, traversal, Arc::new(scene.map_err(Failure::input)?)))
     }
 

@@ -3,9 +3,18 @@
 #![cfg(unix)]
 
 use crate::common::{Folder, Messages};
+#[cfg(feature = "view")]
+use crate::view::{Running, has_device};
+#[cfg(feature = "view")]
+use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 use std::process::{Child, Command};
+use std::time::Duration;
+#[cfg(feature = "view")]
+use std::time::Instant;
 use voxtrace::output::FilmFile;
+#[cfg(feature = "view")]
+use voxtrace_test_support::{Need, skip_without};
 
 const ARGUMENTS: [&str; 12] =
     ["render", "room.vox", "-o", "a.png", "--size", "160x120", "--spp", "1000000", "--progress", "json", "--seed", "1"];
@@ -65,7 +74,7 @@ fn a_render_killed_at_any_moment_leaves_a_whole_checkpoint_that_continues_to_the
         while !folder.exists("a.vxf") {
             std::thread::yield_now();
         }
-        std::thread::sleep(std::time::Duration::from_millis(wait));
+        std::thread::sleep(Duration::from_millis(wait));
         signal(&child, "-KILL");
         assert_eq!(child.wait().unwrap().code(), None);
         let film = FilmFile::open(&folder.path("a.vxf")).unwrap().film;
@@ -135,6 +144,29 @@ fn processes_that_share_an_animation_end_with_the_bytes_of_one() {
     assert!(shots(&folder) == shots(&whole));
     let left: Vec<_> = std::fs::read_dir(folder.path(".")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     assert!(left.iter().all(|name| !name.to_string_lossy().ends_with(".tmp")), "{left:?}");
+}
+
+#[cfg(feature = "view")]
+#[test]
+fn a_benchmark_of_frames_ends_at_the_first_signal() {
+    let folder = Folder::new();
+    if !has_device(&folder) {
+        return skip_without(Need::Vulkan, "there is no Vulkan device");
+    }
+    let mut command = folder.command(&["view", "room.vxt", "--device", "0", "--bench-frames", "1000000"]);
+    let mut bench = Running(command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap());
+    let mut lines = BufReader::new(bench.0.stdout.take().unwrap()).lines().map(Result::unwrap);
+    lines.by_ref().find(|line| line.starts_with("arithmetic")).expect("it ended before it began");
+    signal(&bench.0, "-TERM");
+    let since = Instant::now();
+    let status = loop {
+        if let Some(status) = bench.0.try_wait().unwrap() {
+            break status;
+        }
+        assert!(since.elapsed() < Duration::from_secs(60), "it goes on");
+        std::thread::sleep(Duration::from_millis(10));
+    };
+    assert_eq!(status.code(), Some(130));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::saving::Saving;
 use super::wake::wake_by;
 use crate::session::{Command, Leaving, Means};
 use crate::tr;
+use std::io::Write;
 use std::sync::Arc;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Fullscreen;
@@ -23,7 +24,8 @@ impl App {
             let Some(command) = self.session.carry_out(command, &mut means) else { continue };
             match command {
                 Command::Copy(text) => graphics.egui.set_clipboard_text(text),
-                Command::Print(text) => println!("{}", text.trim_end()),
+                // The terminal may be closed by now.
+                Command::Print(text) => _ = writeln!(std::io::stdout(), "{}", text.trim_end()),
                 Command::Save(path) => self.saving = Some(Saving::new(path)),
                 Command::SetDevice(name) => self.set_device(name),
                 Command::AskForFile => self.ask_for_file(),

@@ -5,6 +5,7 @@ use super::wake::{Wake, WakeDrawing, WakeEngine};
 use super::{App, keyboard};
 use crate::dialogs::TabUse;
 use crate::engine::Event;
+use crate::gamepad::Gamepad;
 use crate::input::Button;
 use crate::keys::Key;
 use crate::session::News;
@@ -51,6 +52,8 @@ impl ApplicationHandler<Wake> for App {
             Wake::Unkept(reason) => self.session.say(reason, true),
             Wake::Chosen { path, is_quick } => self.take_chosen(path, is_quick),
             Wake::ChosenPath { path, is_quick } => self.take_chosen_path(path, is_quick),
+            // Systems tell every program: who plays in another window moves nothing here.
+            Wake::Pad(_) if self.is_away => return,
             Wake::Pad(event) => self.gamepad.take(event, &mut self.session),
             Wake::Devices(devices) => self.status.devices = devices,
             Wake::Accessibility(event) => {
@@ -66,6 +69,12 @@ impl ApplicationHandler<Wake> for App {
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         let Some(graphics) = &mut self.graphics else { return };
+        // Keys that are down when the window gets the keyboard were pressed elsewhere: Ctrl+Q that closed another window closes no second one.
+        if let WindowEvent::KeyboardInput { event, is_synthetic: true, .. } = &event
+            && event.state == ElementState::Pressed
+        {
+            return;
+        }
         let window = Arc::clone(&graphics.window);
         // Tab shows and hides the panels; among them it would take the focus, and with it the arrows. In a dialog it leads on.
         let tab = match &event {
@@ -106,7 +115,14 @@ impl ApplicationHandler<Wake> for App {
                     self.input.key(key, is_pressed, event.repeat, &mut self.session);
                 }
             }
-            WindowEvent::Focused(false) => self.input.lose_focus(&mut self.session),
+            WindowEvent::Focused(is_here) => {
+                self.is_away = !is_here;
+                if self.is_away {
+                    self.input.lose_focus(&mut self.session);
+                    // Where its sticks are when the keyboard is back, they tell then.
+                    self.gamepad = Gamepad::default();
+                }
+            }
             WindowEvent::CursorLeft { .. } => self.input.leave(&mut self.session),
             WindowEvent::CursorMoved { position, .. } => {
                 let cursor = Vec2::new(position.x as f32, position.y as f32);
@@ -187,6 +203,8 @@ impl ApplicationHandler<Wake> for App {
         // What is being written is whole or not there.
         (self.session.exporting, self.session.running) = (None, None);
         self.session.finish_writing();
+        // A panic was printed when it happened.
+        self.writing.drain(..).for_each(|thread| _ = thread.join());
         // What traces ends before what shows it.
         self.engine = None;
         self.status.forget_pictures();

@@ -44,13 +44,23 @@ impl App {
         match (graphics.take(drawing), &self.engine) {
             (Ok(Some(lost)), Some(engine)) => engine.lost(lost),
             (Ok(_), _) => {}
-            (Err(error), _) => self.session.say(error.to_string(), true),
+            (Err(error), _) => {
+                self.session.say(error.to_string(), true);
+                // The next one may do, and says why this one did not.
+                graphics.window.request_redraw();
+            }
         }
     }
 
     /// Draws a frame: panels first, since they say where the picture lies. While the last one is being drawn, it waits.
     pub(super) fn draw(&mut self) {
         let Some(graphics) = &mut self.graphics else { return };
+        // A window that is minimized has no size on Windows: the picture keeps its own, and with it its film.
+        let window = graphics.window.inner_size();
+        if window.width == 0 || window.height == 0 {
+            graphics.repaint_at = None;
+            return;
+        }
         if !graphics.is_ready() {
             return;
         }
@@ -65,7 +75,6 @@ impl App {
         let mut side = 0.0;
         let frame = graphics.run_panels(|ui| side = panels::show(ui, session, status));
         self.stopwatch.lap("panels");
-        let window = graphics.window.inner_size();
         let taken = (side * frame.pixels_per_point).round() as u32;
         let below = (self.session.below * frame.pixels_per_point).round() as u32;
         let (width, height) = (window.width.saturating_sub(taken).max(1), window.height.saturating_sub(below).max(1));

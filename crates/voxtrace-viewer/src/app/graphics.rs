@@ -5,6 +5,7 @@ use crate::engine::Shown;
 use crate::gpu::{Beside, DrawError, Drawing, Layer, Next, Panels, Screen, Surface, surface_extensions};
 use crate::panels::Compared;
 use crate::phases::Phases;
+use crate::tr;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use voxtrace::TraceError;
@@ -29,21 +30,21 @@ pub struct PanelFrame {
 }
 
 impl Graphics {
-    /// Opens the device for a window: the one that is wanted, else the best that can show pictures in it, software last.
-    /// `tell` is called on the thread that draws.
+    /// Opens the device for a window: the one that is asked for, else the one that was chosen in windows before, else the best that can show pictures in
+    /// it, software last. `tell` is called on the thread that draws. Returns also why the one that was chosen before is not it.
     pub fn new(
         window: Arc<Window>,
-        wanted: Option<&str>,
+        (asked, kept): (Option<&str>, Option<&str>),
         validation: bool,
         tell: impl Fn(Drawing) + Send + 'static,
-    ) -> Result<Self, ViewerError> {
+    ) -> Result<(Self, Option<String>), ViewerError> {
         let names = surface_extensions(&window).map_err(|error| ViewerError::Window(error.to_string()))?;
         // SAFETY: the names are constants of the loader's headers.
         let surface_extensions = names.iter().map(|&name| unsafe { std::ffi::CStr::from_ptr(name) }).collect();
         let options = Options::for_window(validation, surface_extensions);
         let vulkan = Vulkan::open(options)?;
         let surface = Surface::new(&vulkan, &window)?;
-        let device = open_device(&vulkan, &surface, wanted)?;
+        let (device, refused) = open_device(&vulkan, &surface, asked, kept)?;
         let context = egui::Context::default();
         context.options_mut(|options| options.zoom_with_keyboard = false);
         let scale = window.scale_factor() as f32;
@@ -53,7 +54,7 @@ impl Graphics {
         let make_surface = move |vulkan: &Arc<Vulkan>| Surface::new(vulkan, &of_surface);
         let about_to_show = move || shown.pre_present_notify();
         let screen = Screen::new(&device, surface, size_of(&window), make_surface, about_to_show, tell)?;
-        Ok(Self { screen, egui, window, repaint_at: None })
+        Ok((Self { screen, egui, window, repaint_at: None }, refused))
     }
 
     /// Opens another device, by its number or a part of its name. Whether it can show pictures in this window, [`Self::move_to`] says.
@@ -153,26 +154,72 @@ fn size_of(window: &Window) -> (u32, u32) {
     (size.width, size.height)
 }
 
-fn open_device(vulkan: &Arc<Vulkan>, surface: &Surface, wanted: Option<&str>) -> Result<Arc<Device>, ViewerError> {
-    if let Some(wanted) = wanted {
-        let device = Device::open_on(vulkan, Some(wanted), None)?;
-        return match surface.suits(&device) {
-            true => Ok(device),
-            false => {
-                let name = &device.info().name;
-                Err(TraceError::Unsupported(format!("{name} cannot show pictures in this window")).into())
-            }
-        };
+/// Returns also why the device that was kept is not it.
+fn open_device(
+    vulkan: &Arc<Vulkan>,
+    surface: &Surface,
+    asked: Option<&str>,
+    kept: Option<&str>,
+) -> Result<(Arc<Device>, Option<String>), ViewerError> {
+    if let Some(asked) = asked {
+        return Ok((suiting(vulkan, surface, asked)?, None));
     }
+    // One that was kept may be gone, or have another name with another driver: that keeps no window from opening.
+    let refused = match kept.map(|kept| (kept, suiting(vulkan, surface, kept))) {
+        Some((_, Ok(device))) => return Ok((device, None)),
+        Some((kept, Err(error))) => Some(tr!("said.cannot_be_taken", name = kept, error = error)),
+        None => None,
+    };
     if let Ok(device) = Device::open_on(vulkan, None, None)
         && surface.suits(&device)
     {
-        return Ok(device);
+        return Ok((device, refused));
     }
     // Whatever there is, software too.
     let numbers = 0..voxtrace_vulkan::devices(Options::default())?.len();
     let found = numbers
         .filter_map(|number| Device::open_on(vulkan, Some(&number.to_string()), None).ok())
         .find(|device| surface.suits(device));
-    found.ok_or_else(|| TraceError::Unsupported("no Vulkan device can show pictures in this window".into()).into())
+    let found =
+        found.ok_or_else(|| TraceError::Unsupported("no Vulkan device can show pictures in this window".into()));
+    Ok((found?, refused))
+}
+
+/// The device of this name, where it can show pictures in the surface.
+fn suiting(vulkan: &Arc<Vulkan>, surface: &Surface, wanted: &str) -> Result<Arc<Device>, TraceError> {
+    let device = Device::open_on(vulkan, Some(wanted), None)?;
+    if surface.suits(&device) {
+        return Ok(device);
+    }
+    Err(TraceError::Unsupported(format!("{} cannot show pictures in this window", device.info().name)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ash::{ext, khr};
+    use voxtrace_test_support::{Need, skip_without};
+
+    #[test]
+    fn a_device_that_was_kept_and_is_gone_keeps_no_window_from_opening() {
+        let options = Options::for_window(false, vec![khr::surface::NAME, ext::headless_surface::NAME]);
+        let vulkan = match Vulkan::open(options) {
+            Ok(vulkan) => vulkan,
+            Err(error) => return skip_without(Need::Vulkan, &error.to_string()),
+        };
+        let surface = Surface::headless(&vulkan).unwrap();
+        let usual = match open_device(&vulkan, &surface, None, None) {
+            Ok((usual, None)) => usual,
+            Ok((_, Some(refused))) => panic!("{refused}"),
+            Err(error) => return skip_without(Need::Vulkan, &error.to_string()),
+        };
+        let gone = Some("a card that was sold");
+        let (device, refused) = open_device(&vulkan, &surface, None, gone).unwrap();
+        assert_eq!(device.info().index, usual.info().index);
+        assert!(refused.unwrap().contains("a card that was sold"));
+        assert!(open_device(&vulkan, &surface, gone, None).is_err(), "what was asked for is taken or nothing");
+        let kept = usual.info().index.to_string();
+        let (device, refused) = open_device(&vulkan, &surface, None, Some(&kept)).unwrap();
+        assert_eq!((device.info().index, refused), (usual.info().index, None));
+    }
 }

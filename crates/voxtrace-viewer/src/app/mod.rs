@@ -29,6 +29,7 @@ use graphics::Graphics;
 use saving::Saving;
 use std::path::Path;
 use std::sync::Arc;
+use std::thread::JoinHandle;
 use std::time::Instant;
 use stopwatch::Stopwatch;
 use voxtrace::TraceError;
@@ -106,11 +107,15 @@ struct App {
     input: Input,
     touch: Touch,
     gamepad: Gamepad,
+    /// Whether another window has the keyboard.
+    is_away: bool,
     status: Status,
     graphics: Option<Graphics>,
     engine: Option<Engine>,
     /// A film that will be written when it comes.
     saving: Option<Saving>,
+    /// Threads that write such films.
+    writing: Vec<JoinHandle<()>>,
     /// The file that keeps edits that no other holds.
     recovering: Recovering,
     title: String,
@@ -163,10 +168,12 @@ impl App {
             input: Input::default(),
             touch: Touch::default(),
             gamepad: Gamepad::default(),
+            is_away: false,
             status,
             graphics: None,
             engine: None,
             saving: None,
+            writing: Vec::new(),
             recovering: Recovering::default(),
             title: String::new(),
             may_quit: false,
@@ -189,12 +196,16 @@ impl App {
             // Screen readers have to know it from the beginning.
             .with_visible(false);
         let window = event_loop.create_window(attributes).map_err(|error| ViewerError::Window(error.to_string()))?;
-        let wanted = self.options.device.as_deref().or(self.settings.settings.device.as_deref());
+        let wanted = (self.options.device.as_deref(), self.settings.settings.device.as_deref());
         let proxy = self.proxy.clone();
-        let mut graphics = Graphics::new(Arc::new(window), wanted, self.options.validation, move |drawing| {
-            // The window may be closed.
-            let _ = proxy.send_event(Wake::Drawing(WakeDrawing(drawing)));
-        })?;
+        let (mut graphics, refused) =
+            Graphics::new(Arc::new(window), wanted, self.options.validation, move |drawing| {
+                // The window may be closed.
+                let _ = proxy.send_event(Wake::Drawing(WakeDrawing(drawing)));
+            })?;
+        if let Some(refused) = refused {
+            self.session.say(refused, false);
+        }
         graphics.egui.init_accesskit(event_loop, &graphics.window, self.proxy.clone());
         graphics.egui.egui_ctx().set_zoom_factor(self.settings.settings.ui_scale);
         graphics.window.set_visible(true);

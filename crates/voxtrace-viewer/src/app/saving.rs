@@ -62,8 +62,9 @@ impl App {
                 frame.camera.name = self.session.render_camera().name;
                 let tone_map = self.session.render_settings.tone_map;
                 let proxy = self.proxy.clone();
+                self.writing.retain(|thread| !thread.is_finished());
                 // On a thread of its own: large pictures take their time, and large scenes too, until they are hashed.
-                std::thread::spawn(move || {
+                self.writing.push(std::thread::spawn(move || {
                     threads::yield_to_window();
                     let samples = film.sample_range().0;
                     let mut scene = SceneStamp::of(&changed);
@@ -75,7 +76,7 @@ impl App {
                         Err(error) => tr!("said.cannot_write", path = path.display(), error = error),
                     };
                     let _ = proxy.send_event(Wake::Engine(WakeEngine(EngineEvent::Notice(text))));
-                });
+                }));
             }
             // A picture of the new size has no samples yet: it is asked for again.
             Ok(_) if self.session.open.is_some() => saving.answer = None,

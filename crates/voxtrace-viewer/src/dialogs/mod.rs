@@ -99,6 +99,21 @@ impl Session {
         stem.strip_suffix(".nii").unwrap_or(&stem).to_owned()
     }
 
+    /// Why no pictures can be rendered to files now: others are, or something is measured, which nothing is to disturb.
+    pub fn busy_for_export(&self) -> Option<&'static str> {
+        match (&self.exporting, self.is_measured()) {
+            (Some(_), _) => Some(tr!("dialogs.busy")),
+            (None, true) => Some(tr!("running.busy_short")),
+            (None, false) => None,
+        }
+    }
+
+    /// Why no command can run beside the window now.
+    pub fn busy_for_command(&self) -> Option<&'static str> {
+        let is_busy = self.running.is_some() || self.exporting.is_some() || self.benchmark.is_some();
+        is_busy.then(|| tr!("running.busy_short"))
+    }
+
     /// Begins an export, unless one is under way.
     pub fn export(&mut self, request: ExportRequest) {
         if self.exporting.is_some() {

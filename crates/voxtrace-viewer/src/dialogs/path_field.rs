@@ -49,8 +49,9 @@ impl PathField {
     /// behind each other. `None` where nothing was typed.
     pub fn path(&self) -> Option<PathBuf> {
         let text = self.text.trim();
-        // What desktops copy.
-        let text = text.rsplit_once("file://").map_or(text, |(_, path)| path);
+        // What desktops copy, where spaces and whatever is not ASCII are written as bytes.
+        let decoded = text.rsplit_once("file://").map(|(_, path)| percent_decoded(path));
+        let text = decoded.as_deref().unwrap_or(text);
         // A whole path that was typed or pasted behind the folder that stood there: that folder does not count.
         let text = text.rfind("//").map_or(text, |double| &text[double + 1..]);
         let text = text.rfind("/~/").map_or(text, |home| &text[home + 1..]);
@@ -125,6 +126,20 @@ impl PathField {
     }
 }
 
+/// A path of an URL with its bytes in place of `%20` and the like; as it is where these are no text.
+fn percent_decoded(path: &str) -> String {
+    let mut bytes = Vec::with_capacity(path.len());
+    let mut rest = path.as_bytes();
+    while let Some((&first, after)) = rest.split_first() {
+        let digits = after.get(..2).filter(|_| first == b'%').and_then(|digits| str::from_utf8(digits).ok());
+        let byte =
+            digits.filter(|digits| !digits.starts_with('+')).and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        bytes.push(byte.unwrap_or(first));
+        rest = if byte.is_some() { &after[2..] } else { after };
+    }
+    String::from_utf8(bytes).unwrap_or_else(|_| path.to_owned())
+}
+
 /// Bytes that two texts begin with alike, up to the end of a character.
 fn shared_length(one: &str, other: &str) -> usize {
     one.char_indices()
@@ -168,6 +183,9 @@ mod tests {
         let home = etcetera::home_dir().unwrap();
         assert_eq!((path("~/a.vox"), path("~")), (Some(home.join("a.vox")), Some(home)));
         assert_eq!(path(" file:///b/c d.ply "), Some("/b/c d.ply".into()));
+        assert_eq!(path("file:///b/c%20d%C3%A9.ply"), Some("/b/c dé.ply".into()));
+        assert_eq!(path("file:///b/100%.ply"), Some("/b/100%.ply".into()));
+        assert_eq!(path("/b/c%20d.ply"), Some("/b/c%20d.ply".into()), "a path as it is");
         // Behind the folder that stood there.
         assert_eq!(path("/here//b/c.vox"), Some("/b/c.vox".into()));
         assert_eq!(path("/here/~/a.vox"), path("~/a.vox"));

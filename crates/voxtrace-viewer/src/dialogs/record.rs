@@ -64,6 +64,8 @@ pub struct RecordDialog {
     /// Whether files that are there are written over.
     pub replaces: bool,
     replaces_what: String,
+    /// Frames that are there, of how many of a pattern, when they were counted.
+    counted: Option<((String, u32), u32)>,
 }
 
 impl RecordDialog {
@@ -79,6 +81,7 @@ impl RecordDialog {
             keeps: false,
             replaces: false,
             replaces_what: String::new(),
+            counted: None,
         }
     }
 
@@ -105,18 +108,26 @@ impl RecordDialog {
         self.path.path().map(|path| std::path::absolute(&path).unwrap_or(path))
     }
 
-    /// How many of the files are there already. What was said of others does not count for these.
+    /// How many of the files are there already; frames are counted when the pattern or their number changes. What was said of others does not count for these.
     pub fn there(&mut self, frames: u32) -> u32 {
         if self.replaces_what != self.path.text {
             (self.replaces, self.keeps, self.replaces_what) = (false, false, self.path.text.clone());
         }
         let Some(path) = self.path() else { return 0 };
-        match self.kind().is_some_and(RecordKind::is_frames) {
-            false => u32::from(path.exists()),
-            // A folder that is not there has none.
-            true if !path.parent().is_some_and(Path::is_dir) => 0,
-            true => (1..=frames.min(MOST_LOOKED_FOR)).filter(|&frame| numbered(&path, frame).exists()).count() as u32,
+        if !self.kind().is_some_and(RecordKind::is_frames) {
+            return u32::from(path.exists());
         }
+        let key = (self.path.text.clone(), frames);
+        if let Some((_, there)) = self.counted.as_ref().filter(|(counted, _)| *counted == key) {
+            return *there;
+        }
+        let there = match path.parent().is_some_and(Path::is_dir) {
+            true => (1..=frames.min(MOST_LOOKED_FOR)).filter(|&frame| numbered(&path, frame).exists()).count() as u32,
+            // A folder that is not there has none.
+            false => 0,
+        };
+        self.counted = Some((key, there));
+        there
     }
 
     /// Where it is recorded, if nothing is missing.
@@ -144,6 +155,8 @@ impl RecordDialog {
     /// # Errors
     /// One line: what is missing yet, or why there is no such command.
     pub fn request(&mut self, session: &Session, file: PathBuf) -> Result<RunRequest, String> {
+        // Frames may have come since they were counted.
+        self.counted = None;
         let path = self.check(session)?;
         let command = self.command(session, file).ok_or(tr!("dialogs_record.no_scene"))?;
         let folders = path.parent().map(Path::to_path_buf).into_iter().collect();
@@ -179,15 +192,36 @@ fn numbered(pattern: &Path, frame: u32) -> PathBuf {
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_name_says_what_is_recorded() {
-        let mut dialog = RecordDialog {
-            path: PathField::new(Path::new("/a/city.mp4")),
+    fn dialog(path: &Path) -> RecordDialog {
+        RecordDialog {
+            path: PathField::new(path),
             quality: Quality { size: [4, 3], samples: 1, transparent: false },
             keeps: false,
             replaces: false,
             replaces_what: String::new(),
-        };
+            counted: None,
+        }
+    }
+
+    #[test]
+    fn frames_are_counted_once_for_each_pattern_and_number() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("shot_0003.png");
+        std::fs::write(&file, "").unwrap();
+        let mut dialog = dialog(&folder.path().join("shot_####.png"));
+        assert_eq!(dialog.there(5), 1);
+        std::fs::remove_file(&file).unwrap();
+        assert_eq!(dialog.there(5), 1, "a window asks for each of its frames");
+        assert_eq!((dialog.there(2), dialog.there(5)), (0, 0), "of another number they are counted anew");
+        dialog.set_kind(RecordKind::Mp4);
+        assert_eq!(dialog.there(5), 0);
+        std::fs::write(folder.path().join("shot.mp4"), "").unwrap();
+        assert_eq!(dialog.there(5), 1, "one file is looked for each time");
+    }
+
+    #[test]
+    fn the_name_says_what_is_recorded() {
+        let mut dialog = dialog(Path::new("/a/city.mp4"));
         for kind in RecordKind::ALL.into_iter().chain(RecordKind::ALL.into_iter().rev()) {
             dialog.set_kind(kind);
             assert_eq!(dialog.kind(), Some(kind), "{}", dialog.path.text);

@@ -295,3 +295,38 @@ impl Work {
         Told::Done(Box::new(done))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::Session;
+    use voxtrace::glam::IVec3;
+    use voxtrace::{Material, Scene, VoxelGrid};
+    use voxtrace_vulkan::Traversal;
+
+    #[test]
+    fn after_a_fault_edits_can_be_saved_and_nobody_is_told_to_wait() {
+        let mut grid = VoxelGrid::new();
+        grid.set(IVec3::ZERO, 0);
+        let scene = Scene::from_grid("one", grid, vec![Material::default()]);
+        let mut session = Session::new(Traversal::Cpu);
+        session.show("one".into(), Arc::new(PackedScene::pack(&scene).unwrap()));
+        session.toggle_editing();
+        let editing = session.editing.as_mut().unwrap();
+        editing.editor = Some(Editor::owning(Arc::new(|| ()), |_, _| panic!("a fault that is planted")));
+        editing.is_ready = true;
+        editing.steps.done.push(Step { name: "place", voxels: 1, serial: 1 });
+        let since = Instant::now();
+        while session.editing.as_ref().is_some_and(|editing| editing.editor.is_some()) {
+            assert!(since.elapsed() < Duration::from_secs(60), "nobody told of the fault");
+            session.take_edited();
+        }
+        for _ in 0..2 {
+            assert!(session.has_unsaved_edits() && !session.is_editing());
+            let last = session.messages().last().unwrap();
+            assert!(last.is_error && last.text.contains(tr!("edit.fault")), "{last:?}");
+            session.dismiss_errors();
+            session.toggle_editing();
+        }
+    }
+}

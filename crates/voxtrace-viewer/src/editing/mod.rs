@@ -222,6 +222,8 @@ pub struct Editing {
     pub is_on: bool,
     /// Whether the scene can be edited by now.
     pub is_ready: bool,
+    /// Whether the thread that owned the scene failed: what was edited can be saved, and no more.
+    pub(crate) has_failed: bool,
     /// The tool.
     pub tool: Tool,
     /// What brush, line and box do.
@@ -276,6 +278,7 @@ impl Default for Editing {
         Self {
             is_on: true,
             is_ready: false,
+            has_failed: false,
             tool: Tool::default(),
             act: Act::default(),
             brush: Brush::default(),

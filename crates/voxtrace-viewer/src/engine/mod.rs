@@ -12,6 +12,8 @@ mod worker;
 pub use contrast::Contrast;
 pub use pace::Quality;
 
+use crate::tr;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -248,7 +250,11 @@ impl Engine {
         let mut worker = Worker::new(receiver, Arc::clone(&shared), Box::new(tell), device, backend);
         let thread = std::thread::spawn(move || {
             crate::threads::yield_to_window();
-            worker.run();
+            // A panic was printed, where nobody may look: the picture would stand still without a word.
+            if catch_unwind(AssertUnwindSafe(|| worker.run())).is_err() {
+                let (step, reason) = ("tracing".into(), tr!("tracing.fault").into());
+                (worker.tell)(Event::Failed(TraceError::Device { step, reason }));
+            }
         });
         Self { requests, shared, thread: Some(thread) }
     }
@@ -342,7 +348,7 @@ impl Engine {
 
     /// Sends a request, and ends the step under way where that is of no use any more.
     fn send(&self, request: Request, ends_step: bool) {
-        // The thread is there until this value is dropped, or it panicked, which `drop` passes on.
+        // The thread is there until this value is dropped, or it panicked and told so.
         let _ = self.requests.send(request);
         if ends_step {
             locked(&self.shared.progress).cancel();
@@ -354,7 +360,7 @@ impl Drop for Engine {
     fn drop(&mut self) {
         self.send(Request::Quit, true);
         if let Some(thread) = self.thread.take() {
-            // A panic was printed when it happened.
+            // A panic was told when it happened.
             let _ = thread.join();
         }
     }

@@ -139,7 +139,11 @@ fn next(engine: &Engine, events: &Receiver<Event>) -> Result<Shown, TraceError> 
         match events.recv_timeout(PATIENCE) {
             Ok(Event::Picture) => {
                 // Of several that came, the last.
-                while events.try_recv().is_ok() {}
+                for event in events.try_iter() {
+                    if let Event::Failed(error) | Event::Gone(error) = event {
+                        return Err(error);
+                    }
+                }
                 if let Some(shown) = engine.shown() {
                     return Ok(shown);
                 }

@@ -27,8 +27,14 @@ pub fn listen(tell: Tell) {
             if !locked(&known).insert(path.clone()) {
                 continue;
             }
-            // A keyboard, or one that may not be read.
-            let Some(device) = Device::open(&path).ok().filter(is_gamepad) else { continue };
+            let Ok(device) = Device::open(&path) else {
+                // Udev lets it be read a moment after it has come: it is tried again.
+                locked(&known).remove(&path);
+                continue;
+            };
+            if !is_gamepad(&device) {
+                continue;
+            }
             let (tell, known, is_open) = (Arc::clone(&tell), Arc::clone(&known), Arc::clone(&is_open));
             std::thread::spawn(move || {
                 if !follow(device, &tell) {

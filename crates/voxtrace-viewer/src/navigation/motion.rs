@@ -162,12 +162,27 @@ impl Surroundings {
             let places = (self.place(from), self.place(to));
             return parallel::panned(pose, height, places, anchor, self.aspect());
         }
+        if matches!(pose.lens, Lens::Panorama { .. } | Lens::Fisheye { .. }) {
+            return self.panned_around(pose, from, to, anchor);
+        }
         let through = |cursor| pose.through(self.place(cursor), self.aspect());
         // What lies behind the eye is under no cursor.
         let depth = anchor.map(|anchor| (anchor - pose.eye).dot(pose.forward())).filter(|depth| *depth > NEAREST);
         let eye = match anchor.zip(depth) {
             Some((anchor, depth)) => anchor - through(to) * depth,
             None => pose.eye + (through(from) - through(to)) * self.depth_of_void(pose),
+        };
+        Pose { eye, ..pose }
+    }
+
+    /// As [`Self::panned`], in pictures that show what lies beside the camera, too, where no depth along the view says how far to go: what is held
+    /// keeps its distance.
+    fn panned_around(&self, pose: Pose, from: Vec2, to: Vec2, anchor: Option<DVec3>) -> Pose {
+        let direction = |cursor| self.towards(pose, cursor).normalize();
+        let held = anchor.map(|anchor| (anchor, anchor.distance(pose.eye))).filter(|(_, far)| *far > NEAREST);
+        let eye = match held {
+            Some((anchor, far)) => anchor - direction(to) * far,
+            None => pose.eye + (direction(from) - direction(to)) * self.depth_of_void(pose),
         };
         Pose { eye, ..pose }
     }

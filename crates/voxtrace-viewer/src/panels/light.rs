@@ -56,6 +56,7 @@ pub fn light(ui: &mut Ui, session: &mut Session) {
         let own = settings.clone().without_light();
         if ui.add_enabled(!settings.has_light_of(&own), Button::new(tr!("light.the_scene_s_own_light"))).clicked() {
             settings = own;
+            session.panorama = None;
         }
     }
     session.set_render_settings(settings);

@@ -20,7 +20,6 @@ const UNDER_WAY: Color32 = Color32::from_rgb(255, 255, 255);
 const SOON: Duration = Duration::from_millis(60);
 
 pub fn measuring(ui: &mut Ui, session: &mut Session) {
-    session.take_component();
     let count = session.measuring.list.len();
     let title = match count {
         0 => tr!("measure.title").to_owned(),
@@ -41,15 +40,10 @@ pub fn measuring(ui: &mut Ui, session: &mut Session) {
             if is_stopped {
                 session.cancel_measuring();
             }
-            ui.ctx().request_repaint_after(SOON);
         }
         list(ui, session);
         details(ui, session);
     });
-    // The section may be closed.
-    if session.measuring.flood.is_some() {
-        ui.ctx().request_repaint_after(SOON);
-    }
 }
 
 fn tools(ui: &mut Ui, session: &mut Session) {
@@ -226,6 +220,10 @@ fn snap_name(snap: Snap) -> &'static str {
 pub fn drawn(ui: &Ui, session: &mut Session, side: f32) {
     if session.measuring.tool.is_none() && session.measuring.list.is_empty() && session.measuring.flood.is_none() {
         return;
+    }
+    // The section may be closed, and the panels hidden.
+    if session.measuring.flood.is_some() {
+        ui.ctx().request_repaint_after(SOON);
     }
     let hover = session.hover.filter(|_| session.measuring.tool.is_some());
     if hover.is_some() {

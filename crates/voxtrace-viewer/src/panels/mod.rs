@@ -53,6 +53,7 @@ const BESIDE_BAR: i8 = 8;
 /// Shows everything. Returns the width of the side panel, points: the picture lies beside it.
 pub fn show(ui: &mut Ui, session: &mut Session, status: &Status) -> f32 {
     look::apply(ui, session);
+    session.take_component();
     let mut width = 0.0;
     if session.has_panels {
         let side = egui::Panel::right("side").resizable(true).default_size(WIDTH).show(ui, |ui| {

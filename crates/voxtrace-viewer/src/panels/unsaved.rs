@@ -1,4 +1,4 @@
-//! The questions about edits: what becomes of those that no file holds, and of those that a window left behind.
+//! The questions about edits and timelines: what becomes of those that no file holds, and of edits that a window left behind.
 
 use crate::session::{Leaving, Session};
 use crate::tr;
@@ -18,12 +18,20 @@ fn leaving(ui: &Ui, session: &mut Session, side: f32) {
         return;
     };
     let name = session.open.as_ref().map_or(String::new(), |open| open.original.name.clone());
+    // Of edits and timeline it is told what took longer to make; both are saved, or lost.
+    let has_edits = session.has_unsaved_edits();
     let (discard, next) = match &leaving {
-        Leaving::Quit => (tr!("unsaved.close"), tr!("unsaved.closing", name = name)),
-        Leaving::New(_) => (tr!("unsaved.begin"), tr!("unsaved.beginning", name = name)),
-        Leaving::Load(source) => (tr!("unsaved.open"), tr!("unsaved.opening", name = name, source = source)),
+        Leaving::Quit if has_edits => (tr!("unsaved.close"), tr!("unsaved.closing", name = name)),
+        Leaving::New(_) if has_edits => (tr!("unsaved.begin"), tr!("unsaved.beginning", name = name)),
+        Leaving::Load(source) if has_edits => {
+            (tr!("unsaved.open"), tr!("unsaved.opening", name = name, source = source))
+        }
+        Leaving::Quit => (tr!("unsaved.close"), tr!("unsaved.timeline_closing", name = name)),
+        Leaving::New(_) => (tr!("unsaved.begin"), tr!("unsaved.timeline_beginning", name = name)),
+        Leaving::Load(source) => (tr!("unsaved.open"), tr!("unsaved.timeline_opening", name = name, source = source)),
     };
-    egui::Window::new(tr!("unsaved.title"))
+    let title = if has_edits { tr!("unsaved.title") } else { tr!("unsaved.timeline_title") };
+    egui::Window::new(title)
         .anchor(Align2::CENTER_CENTER, [-side / 2.0, 0.0])
         .collapsible(false)
         .resizable(false)

@@ -255,6 +255,15 @@ fn what_is_the_default_is_left_out() {
 }
 
 #[test]
+fn an_animation_of_a_built_in_scene_has_the_size_that_is_shown() {
+    let built_in = SceneArgument::BuiltIn { name: "city".into(), voxels: Some(500_000) };
+    let file = PathBuf::from("/x/city.animation.toml");
+    let sequence = Some(Sequence::Animation { file, keeps: false });
+    let view = RenderCommand { sequence, ..RenderCommand::new(built_in, camera()) };
+    assert_eq!(view.line().unwrap(), "voxtrace animate /x/city.animation.toml --voxels 500000");
+}
+
+#[test]
 fn files_whose_names_mean_something_else_are_called_with_their_folder() {
     let word = |path: &str| RenderCommand::new(SceneArgument::File(path.into()), camera()).words().unwrap()[2].clone();
     assert_eq!(["church", "-a.vox", "a.vox", "/x/church"].map(word), ["./church", "./-a.vox", "a.vox", "/x/church"]);

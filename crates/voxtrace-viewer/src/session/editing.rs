@@ -41,6 +41,9 @@ impl Session {
             return self.say(tr!("said.there_is_no_scene_yet"), false);
         }
         match &mut self.editing {
+            Some(editing) if editing.has_failed => {
+                return self.say(tr!("edit.cannot", reason = tr!("edit.fault")), true);
+            }
             Some(editing) => {
                 editing.is_on = !editing.is_on;
                 if !editing.is_on {
@@ -85,9 +88,13 @@ impl Session {
                 Told::Failed(reason) => {
                     match self.editing.as_mut().filter(|editing| editing.is_unsaved()) {
                         // What was edited is still there to be saved.
-                        Some(editing) => (editing.editor, editing.is_on, editing.is_ready) = (None, false, false),
+                        Some(editing) => {
+                            editing.editor = None;
+                            (editing.is_on, editing.is_ready, editing.has_failed) = (false, false, true);
+                        }
                         None => self.editing = None,
                     }
+                    self.end_stroke();
                     self.say(tr!("edit.cannot", reason = reason), true);
                 }
                 Told::Done(done) => self.take_done(*done),

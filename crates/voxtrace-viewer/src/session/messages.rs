@@ -24,8 +24,10 @@ impl Session {
         let text = text.into();
         self.messages.retain(|message| message.text != text);
         self.messages.push_back(Message { text, is_error, since: Instant::now() });
-        while self.messages.len() > MOST_MESSAGES {
-            self.messages.pop_front();
+        if self.messages.len() > MOST_MESSAGES {
+            // What went wrong stays longer than whatever else was said before.
+            let oldest = self.messages.iter().take(MOST_MESSAGES).position(|message| !message.is_error).unwrap_or(0);
+            self.messages.remove(oldest);
         }
     }
 
@@ -60,5 +62,24 @@ impl Session {
         let ending = tr!("said.speed", speed = "");
         self.messages.retain(|message| !message.text.ends_with(&ending));
         self.say(text, false);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use voxtrace_vulkan::Traversal;
+
+    #[test]
+    fn what_went_wrong_is_not_pushed_out_by_lines_that_say_less() {
+        let mut session = Session::new(Traversal::Cpu);
+        session.say("it cannot be kept", true);
+        (0..MOST_MESSAGES).for_each(|number| session.say(format!("note {number}"), false));
+        let texts: Vec<String> = session.messages().map(|message| message.text.clone()).collect();
+        assert_eq!((texts.len(), texts[0].as_str(), texts[1].as_str()), (MOST_MESSAGES, "it cannot be kept", "note 1"));
+        (0..MOST_MESSAGES).for_each(|number| session.say(format!("fault {number}"), true));
+        session.say("a last note", false);
+        let texts: Vec<&str> = session.messages().map(|message| message.text.as_str()).collect();
+        assert_eq!((texts.len(), texts[0], texts[MOST_MESSAGES - 1]), (MOST_MESSAGES, "fault 1", "a last note"));
     }
 }

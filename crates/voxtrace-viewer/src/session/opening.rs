@@ -1,6 +1,6 @@
 //! A scene that comes: what is shown of it, and from where.
 
-use super::{Command, Open, Session};
+use super::{Command, Leaving, Open, Session};
 use crate::cutting::Cutting;
 use crate::load::Came;
 use crate::navigation::Mode;
@@ -18,6 +18,8 @@ impl Session {
         for note in notes {
             self.say(note, false);
         }
+        // An animation names the scene that comes, and is to be opened with it.
+        let wanted = self.wanted_timeline.as_ref().map_or_else(|| source.clone(), |path| path.display().to_string());
         match result {
             None => {}
             Some(Err(error)) => {
@@ -30,6 +32,11 @@ impl Session {
                 self.loading = None;
                 self.stay_as_shown(is_again);
             }
+            // So was the one that is shown, or its timeline: somebody is asked before that is lost, and this one is read once more then.
+            Some(Ok(_)) if !is_again && !self.may_leave(Leaving::Load(wanted)) => {
+                self.loading = None;
+                self.stay_as_shown(is_again);
+            }
             Some(Ok(scene)) => {
                 self.loading = None;
                 self.take_points(points, is_again);
@@ -38,7 +45,10 @@ impl Session {
                     self.take_values(values, is_again);
                 }
                 match is_again {
-                    true => self.show_again(scene),
+                    true => {
+                        self.stay_in_place(&scene);
+                        self.show_again(scene);
+                    }
                     false => self.show(source, scene),
                 }
                 self.begin_motion(keyframes);
@@ -59,7 +69,7 @@ impl Session {
             }
         } else {
             // What was to be lost with it is still there, and is asked for again.
-            (self.wanted_timeline, self.is_discarding) = (None, false);
+            (self.wanted_timeline, self.is_discarding, self.timeline.is_given_up) = (None, false, false);
         }
     }
 

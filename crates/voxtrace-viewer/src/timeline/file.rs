@@ -64,12 +64,39 @@ impl Timeline {
     /// [`TimelineError::Read`] and [`TimelineError::NotOfKeys`].
     pub fn open(&mut self, path: &Path, cameras: &Cameras) -> Result<(), TimelineError> {
         let refused = |reason: String| TimelineError::NotOfKeys { path: path.to_path_buf(), reason };
-        let mut others = read_table(path)?;
+        let text = read_text(path)?;
+        let mut others = table_of(&text, path)?;
         let course = course_of(&mut others, path, cameras).map_err(refused)?;
-        let path = Some(path.to_path_buf());
+        let (path, known) = (Some(path.to_path_buf()), Some(text));
         let Self { is_shown, repeats, .. } = *self;
-        *self = Self { is_shown, repeats, course, others, path, frame: 1, ..Self::default() };
+        *self = Self { is_shown, repeats, course, others, path, known, frame: 1, ..Self::default() };
         Ok(())
+    }
+
+    /// Takes what others wrote into the file at `path` since it was read or written here. Returns whether it may be written over: where another camera's way
+    /// is there by now, only when asked again.
+    ///
+    /// # Errors
+    /// Those of [`Self::open`]: then it is never written over.
+    pub(super) fn take_written(&mut self, path: &Path, cameras: &Cameras) -> Result<bool, TimelineError> {
+        let text = match read_text(path) {
+            Err(TimelineError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => return Ok(true),
+            text => text?,
+        };
+        if self.known.as_ref() == Some(&text) {
+            return Ok(true);
+        }
+        let read = |text: &str| {
+            let mut others = table_of(text, path)?;
+            let course = course_of(&mut others, path, cameras);
+            let refused = |reason| TimelineError::NotOfKeys { path: path.to_path_buf(), reason };
+            course.map(|course| (course, others)).map_err(refused)
+        };
+        let (course, others) = read(&text)?;
+        let before = self.known.as_ref().and_then(|known| read(known).ok());
+        let is_same = course.keys.is_empty() || before.is_some_and(|(before, _)| before == course);
+        (self.others, self.known) = (others, Some(text));
+        Ok(is_same)
     }
 
     /// Keeps it at `path`, for a scene by its path or name; `still` is the camera of a scene that moves, where there are no two keys. What others wrote there
@@ -81,7 +108,7 @@ impl Timeline {
         let text = self.text(path, scene, still);
         write_atomically(path, |file| file.write_all(text.as_bytes()))
             .map_err(|source| TimelineError::Write { path: path.to_path_buf(), source })?;
-        (self.path, self.is_changed) = (Some(path.to_path_buf()), false);
+        (self.path, self.known, self.is_changed) = (Some(path.to_path_buf()), Some(text), false);
         Ok(())
     }
 
@@ -89,7 +116,13 @@ impl Timeline {
     pub fn text(&self, path: &Path, scene: &str, still: Option<Camera>) -> String {
         let Course { keys, fps, seconds, shutter, ease, look_at, focuses_on_target } = &self.course;
         let mut table = self.others.clone();
-        table.insert("scene".into(), Value::String(scene_word(path, scene)));
+        // As somebody named it, where that is the scene: a path from here stays one.
+        let whole = |path: PathBuf| std::path::absolute(&path).unwrap_or(path);
+        let named = self.others.get("scene").and_then(Value::as_str);
+        let is_named = named.is_some_and(|name| whole(scene_path(path, name)) == whole(scene.into()));
+        if !is_named {
+            table.insert("scene".into(), Value::String(scene_word(path, scene)));
+        }
         table.insert("fps".into(), Value::Float(*fps));
         table.insert("seconds".into(), Value::Float(*seconds));
         table.remove("frames");
@@ -141,11 +174,19 @@ pub fn scene_of(path: &Path) -> Result<String, TimelineError> {
         path: path.to_path_buf(),
         reason: "`scene` is missing: it names a file beside this one, or a built-in scene".into(),
     })?;
-    let beside = path.parent().unwrap_or(Path::new("")).join(name);
-    Ok(if scenes::NAMES.contains(&name) { name.to_owned() } else { beside.display().to_string() })
+    Ok(scene_path(path, name).display().to_string())
+}
+
+/// What a word for a scene means in the file at `path`: the name of a built-in one, else a path from there.
+fn scene_path(path: &Path, name: &str) -> PathBuf {
+    if scenes::NAMES.contains(&name) { name.into() } else { path.parent().unwrap_or(Path::new("")).join(name) }
 }
 
 fn read_table(path: &Path) -> Result<Table, TimelineError> {
+    table_of(&read_text(path)?, path)
+}
+
+fn read_text(path: &Path) -> Result<String, TimelineError> {
     let failed = |source| TimelineError::Read { path: path.to_path_buf(), source };
     let refused = |reason: String| TimelineError::NotOfKeys { path: path.to_path_buf(), reason };
     let mut text = String::new();
@@ -153,6 +194,11 @@ fn read_table(path: &Path) -> Result<Table, TimelineError> {
     if bytes.map_err(failed)? as u64 > MOST_BYTES {
         return Err(refused(format!("it has more than {MOST_BYTES} bytes")));
     }
+    Ok(text)
+}
+
+fn table_of(text: &str, path: &Path) -> Result<Table, TimelineError> {
+    let refused = |reason: String| TimelineError::NotOfKeys { path: path.to_path_buf(), reason };
     text.parse().map_err(|error: toml::de::Error| refused(error.message().to_owned()))
 }
 
@@ -178,7 +224,7 @@ fn course_of(table: &mut Table, path: &Path, cameras: &Cameras) -> Result<Course
         table.remove("camera");
     }
     course.seconds = said.unwrap_or(course.keys.last().map_or(course.seconds, |key| key.at + 1.0 / fps));
-    ["fps", "frames", "seconds", "shutter", "scene"].iter().for_each(|key| _ = table.remove(*key));
+    ["fps", "frames", "seconds", "shutter"].iter().for_each(|key| _ = table.remove(*key));
     Ok(course)
 }
 
@@ -267,98 +313,4 @@ fn positive(table: &Table, key: &str) -> Result<Option<f64>, String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fs;
-    use voxtrace::camera::Lens;
-    use voxtrace::glam::Vec3;
-
-    const NONE: Cameras = Cameras { of_scene: &[], bookmarks: None };
-
-    fn timeline() -> Timeline {
-        let mut timeline = Timeline::default();
-        let camera = |x: f32| Camera { fov_y: 33.3, ..Camera::look_at(Vec3::new(x, 0.1, -7.7), Vec3::ZERO) };
-        let lens = Lens::Thin { aperture: 1.5, focus: 9.0, blades: 5, blade_rotation: 10.0 };
-        timeline.course = Course {
-            keys: vec![
-                TimeKey { at: 0.0, camera: camera(0.3) },
-                TimeKey { at: 13.0 / 24.0, camera: camera(0.7).with_lens(lens) },
-            ],
-            fps: 23.976,
-            seconds: 2.5,
-            shutter: 0.5,
-            ease: Ease::InOut,
-            look_at: Some(Vec3::new(0.1, 2.0, 3.0)),
-            focuses_on_target: true,
-        };
-        timeline
-    }
-
-    #[test]
-    fn what_is_kept_is_read_again_to_the_bit_and_other_keys_stay() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.animation.toml");
-        let mut kept = timeline();
-        kept.others.insert("note".into(), Value::String("mine".into()));
-        kept.save(&path, &folder.path().join("room.vox").display().to_string(), None).unwrap();
-        let mut read = Timeline { is_shown: true, ..Timeline::default() };
-        read.open(&path, &NONE).unwrap();
-        assert_eq!((&read.course, read.is_shown, read.is_changed), (&kept.course, true, false));
-        assert_eq!(scene_of(&path).unwrap(), folder.path().join("room.vox").display().to_string());
-        read.course.keys.pop();
-        assert_ne!(read.course, kept.course, "the comparison sees a key");
-        read.save(&path, "church", None).unwrap();
-        let text = fs::read_to_string(&path).unwrap();
-        assert!(text.contains("note = \"mine\"") && text.contains("scene = \"church\""), "{text}");
-        assert_eq!(scene_of(&path).unwrap(), "church");
-    }
-
-    #[test]
-    fn cameras_are_found_by_name_and_among_the_bookmarks() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.toml");
-        let (plain, kept) = (Camera::look_at(Vec3::X, Vec3::ZERO), Camera::look_at(Vec3::Y, Vec3::ZERO));
-        let side = Camera { name: "side".into(), ..plain.clone() };
-        let bookmarks = folder.path().join("a.cameras.toml");
-        Bookmarks::open(&bookmarks).unwrap().store(3, &kept).unwrap();
-        fs::write(
-            &path,
-            "frames = 48\n[camera]\npath = [{ at = 0, camera = \"side\" }, { at = 1, bookmark = 3, fov_y = 20 }]",
-        )
-        .unwrap();
-        let mut timeline = Timeline::default();
-        let cameras = Cameras { of_scene: std::slice::from_ref(&side), bookmarks: Some(bookmarks) };
-        timeline.open(&path, &cameras).unwrap();
-        let keys = &timeline.course.keys;
-        assert_eq!((&keys[0].camera, &keys[1].camera), (&plain, &Camera { fov_y: 20.0, ..kept }));
-        assert_eq!((timeline.course.frames(), timeline.course.seconds), (48, 2.0));
-    }
-
-    #[test]
-    fn what_is_no_course_of_keys_is_one_line_and_stays_as_it_is() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.toml");
-        for (text, about) in [
-            ("fps = [", "a.toml"),
-            ("fps = 0", "fps"),
-            ("shutter = 2", "shutter"),
-            ("[camera]\norbit = 1", "camera.orbit"),
-            ("[camera]\npath = [{ eye = [1, 0, 0], target = [0, 0, 0] }]", "at"),
-            ("[camera]\npath = [{ at = 0, eye = [0, 0, 0], target = [0, 0, 0] }]", "target"),
-            ("[camera]\npath = [{ at = 1, camera = \"x\" }]", "\"x\""),
-            ("[camera]\npath = []\nlook_at = \"layer:dragon\"", "look_at"),
-            ("[camera]\npath = []\nease = \"fast\"", "ease"),
-        ] {
-            fs::write(&path, text).unwrap();
-            let mut own = timeline();
-            let before = own.course.clone();
-            let error = own.open(&path, &NONE).unwrap_err().to_string();
-            assert!(error.contains(about) && !error.contains('\n'), "{text}: {error}");
-            assert_eq!(own.course, before);
-        }
-        assert!(matches!(
-            Timeline::default().open(&folder.path().join("none"), &NONE),
-            Err(TimelineError::Read { .. })
-        ));
-    }
-}
+mod tests;

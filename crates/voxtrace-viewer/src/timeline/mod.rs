@@ -9,7 +9,7 @@ pub use file::{TimelineError, scene_of};
 use std::path::{Path, PathBuf};
 use voxtrace::animation::{CameraMotion, CameraTrack, Ease, LookAt};
 use voxtrace::camera::Flight;
-use voxtrace::glam::Vec3;
+use voxtrace::glam::{DAffine3, Vec3};
 use voxtrace::{Camera, Scene};
 
 /// Most keys: more than anybody sets by hand.
@@ -133,6 +133,16 @@ impl Course {
         self.put(at, camera)
     }
 
+    /// Brings it into a world with voxels of another size, or of another place.
+    pub(crate) fn transform(&mut self, new_from_old: &DAffine3) {
+        let scale = new_from_old.matrix3.determinant().abs().cbrt() as f32;
+        let moved = |point: Vec3| new_from_old.transform_point3(point.as_dvec3()).as_vec3();
+        for Camera { eye, target, lens, .. } in self.keys.iter_mut().map(|key| &mut key.camera) {
+            (*eye, *target, *lens) = (moved(*eye), moved(*target), lens.scaled(scale));
+        }
+        self.look_at = self.look_at.map(moved);
+    }
+
     /// Spreads cameras evenly over the clip, in place of all keys: the last one is there in the last frame.
     pub fn spread(&mut self, cameras: Vec<Camera>) {
         let steps = cameras.len().saturating_sub(1).max(1) as f64;
@@ -165,6 +175,10 @@ pub struct Timeline {
     playing: Option<f64>,
     /// What the file says beside what is edited here.
     others: toml::Table,
+    /// The text of the file, as far as it is known here.
+    known: Option<String>,
+    /// Whether somebody said that the changes may be lost.
+    pub(crate) is_given_up: bool,
     past: Vec<Course>,
 }
 
@@ -196,7 +210,7 @@ impl Timeline {
         if before == self.course {
             return;
         }
-        self.is_changed = true;
+        (self.is_changed, self.is_given_up) = (true, false);
         if self.past.len() == MOST_UNDO {
             self.past.remove(0);
         }
@@ -206,7 +220,7 @@ impl Timeline {
     /// Takes the last change back. Returns whether there was one.
     pub fn undo(&mut self) -> bool {
         let Some(before) = self.past.pop() else { return false };
-        (self.course, self.is_changed) = (before, true);
+        (self.course, self.is_changed, self.is_given_up) = (before, true, false);
         self.selected = None;
         true
     }

@@ -7,6 +7,7 @@ use crate::session::Session;
 use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::animation::Ease;
+use voxtrace::glam::DAffine3;
 use voxtrace::{Camera, scenes};
 
 /// Key frames of a file a second, about as MagicaVoxel plays them.
@@ -227,19 +228,29 @@ impl Session {
         }
     }
 
-    /// Keeps the timeline. Returns where.
+    /// Keeps the timeline. Returns where; where it cannot be kept, it is told why.
     pub fn save_timeline(&mut self) -> Option<PathBuf> {
-        let path = self.timeline_path()?;
+        let Some(path) = self.timeline_path() else {
+            if self.is_untitled() {
+                self.say(tr!("said.save_the_scene_first"), false);
+            }
+            return None;
+        };
         let source = self.open.as_ref()?.source.clone();
         if let Some(folder) = path.parent().filter(|_| scenes::NAMES.contains(&source.as_str())) {
             // That it cannot be made, writing says.
             let _ = std::fs::create_dir_all(folder);
         }
-        // What is there and moves the camera in another way stays.
-        if self.timeline.path.is_none() && path.exists() {
-            let of_scene = self.time_cameras();
-            let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
-            if let Err(error) = Timeline::default().open(&path, &cameras) {
+        // What is there and moves the camera in another way stays, and a way that somebody else set goes only when asked again.
+        let of_scene = self.time_cameras();
+        let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
+        match self.timeline.take_written(&path, &cameras) {
+            Ok(true) => {}
+            Ok(false) => {
+                self.say(tr!("timeline.is_another", path = path.display()), true);
+                return None;
+            }
+            Err(error) => {
                 self.say(tr!("timeline.not_over", error = error), true);
                 return None;
             }
@@ -252,6 +263,17 @@ impl Session {
                 None
             }
         }
+    }
+
+    /// Whether there are changes of the timeline that its file could hold and does not.
+    pub(crate) fn has_unsaved_timeline(&self) -> bool {
+        self.timeline.is_changed && !self.timeline.is_given_up && self.timeline_path().is_some()
+    }
+
+    /// The scene is about to be shown with other voxels: the camera's way stays in its place.
+    pub(crate) fn time_in(&mut self, new_from_old: &DAffine3) {
+        let Timeline { course, past, .. } = &mut self.timeline;
+        past.iter_mut().chain([course]).for_each(|course| course.transform(new_from_old));
     }
 
     /// A scene with keyframes begins at its first frame, with a clip as long as they last.

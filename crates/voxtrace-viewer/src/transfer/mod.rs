@@ -50,6 +50,25 @@ impl ValuesSeen {
         self.curve(Transfer::automatic(&self.statistics), None)
     }
 
+    /// The curve of a scene that is read with these options. Of files, and of stops that are given in words, no more is known here than of none.
+    pub fn given(&self, options: &[String]) -> Option<ValueCurve> {
+        let value = |name: &str| {
+            let of = |(index, option): (usize, &String)| match option.strip_prefix(name)? {
+                "" => options.get(index + 1).cloned(),
+                rest => rest.strip_prefix('=').map(str::to_owned),
+            };
+            options.iter().enumerate().filter_map(of).next_back()
+        };
+        let threshold = value("--threshold").and_then(|threshold| threshold.parse().ok());
+        match value("--transfer") {
+            None => self.curve(Transfer::automatic(&self.statistics), threshold),
+            Some(name) => match Preset::ALL.into_iter().find(|preset| preset.name() == name) {
+                Some(preset) => self.curve(preset.transfer(), threshold),
+                None => self.usual(),
+            },
+        }
+    }
+
     /// A transfer function as a curve, with another least value where one is said.
     fn curve(&self, mut transfer: Transfer, threshold: Option<f32>) -> Option<ValueCurve> {
         transfer.resolve(&self.statistics, threshold);
@@ -193,6 +212,19 @@ mod tests {
         assert_eq!(seen().preset(Preset::Labels), None, "labels are no curve");
         let glassy = ValueCurve { high: Some(1e3), opacity: 0.5, ..bone };
         assert!(glassy.word().ends_with(",threshold=250,upper=1000,opacity=0.5"), "{}", glassy.word());
+    }
+
+    #[test]
+    fn a_scene_has_the_curve_that_its_options_say() {
+        let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
+        let given = |text: &str| seen().given(&words(text));
+        let [mri, bone] = [Preset::Mri, Preset::CtBone].map(|preset| seen().preset(preset).unwrap());
+        assert_eq!(given("--transfer mri --resolution 64"), Some(mri.clone()));
+        assert_eq!(given("--transfer=hot --transfer=mri"), Some(mri.clone()), "the last one counts");
+        assert_ne!(Some(mri), seen().usual(), "which would be another one");
+        assert_eq!(given("--threshold=300 --transfer ct-bone"), Some(ValueCurve { low: 300.0, ..bone }));
+        assert_eq!(given("--resolution 64"), seen().usual());
+        assert_eq!(given("--transfer mine.toml"), seen().usual());
     }
 
     #[test]

@@ -21,6 +21,8 @@ pub struct Values {
     pub seen: Arc<ValuesSeen>,
     /// What was chosen here; `None`: what the scene was opened with.
     pub chosen: Option<ValueCurve>,
+    /// That.
+    given: Option<ValueCurve>,
     /// The stop that was clicked.
     pub selected: Option<usize>,
     /// Whether dragging in the picture changes the window of the values.
@@ -36,6 +38,8 @@ pub struct Values {
     shown_curve: Option<ValueCurve>,
     /// Whether those are coarse ones, and nobody makes all of them.
     pub is_left_coarse: bool,
+    /// Whether those are coarse ones.
+    shows_coarse: bool,
 }
 
 /// Voxels that are being made.
@@ -48,8 +52,9 @@ struct Shaping {
 }
 
 impl Values {
-    fn new(seen: Arc<ValuesSeen>) -> Self {
+    fn new(seen: Arc<ValuesSeen>, options: &[String]) -> Self {
         Self {
+            given: seen.given(options),
             seen,
             chosen: None,
             selected: None,
@@ -60,12 +65,13 @@ impl Values {
             shown: None,
             shown_curve: None,
             is_left_coarse: false,
+            shows_coarse: false,
         }
     }
 
-    /// The curve that is chosen, else the one that suits the values. `None` of labels.
+    /// The curve that is chosen, else the one that the scene was opened with. `None` of labels.
     pub fn curve(&self) -> Option<ValueCurve> {
-        self.chosen.clone().or_else(|| self.seen.usual())
+        self.chosen.clone().or_else(|| self.given.clone())
     }
 
     /// Whether voxels are being made.
@@ -80,10 +86,12 @@ impl Session {
         match (seen, &mut self.values) {
             (Some(seen), Some(values)) if is_again => {
                 values.seen = seen;
-                (values.shown_curve, values.is_left_coarse) = (values.chosen.clone(), false);
+                values.shown_curve = values.chosen.clone();
+                (values.is_left_coarse, values.shows_coarse) = (false, false);
             }
             (seen, values) => {
-                let before = std::mem::replace(values, seen.map(Values::new));
+                let options = &self.scene_options;
+                let before = std::mem::replace(values, seen.map(|seen| Values::new(seen, options)));
                 self.go_on_after(before.is_some_and(|before| before.is_shaping()));
             }
         }
@@ -161,6 +169,7 @@ impl Session {
             Ok(scene) => {
                 let is_last = word.as_ref() == Some(&made);
                 (values.error, values.shown, values.shown_curve) = (None, Some(made), curve);
+                values.shows_coarse = is_coarse;
                 self.show_again(scene);
                 if is_coarse || !is_last {
                     self.ask(Command::Reshape);
@@ -174,6 +183,8 @@ impl Session {
                 } else if is_coarse {
                     values.shown = Some(made);
                     self.ask(Command::Reshape);
+                } else {
+                    values.is_left_coarse = values.shows_coarse;
                 }
             }
         }
@@ -184,8 +195,10 @@ impl Session {
     /// made.
     pub(crate) fn stop_shaping(&mut self) -> bool {
         let Some(values) = &mut self.values else { return false };
-        let Some(shaping) = values.shaping.take() else { return false };
-        values.is_left_coarse = !shaping.is_coarse;
+        if values.shaping.take().is_none() {
+            return false;
+        }
+        values.is_left_coarse = values.shows_coarse;
         let is_as_opened = values.shown_curve.is_none();
         values.chosen.clone_from(&values.shown_curve);
         if is_as_opened {

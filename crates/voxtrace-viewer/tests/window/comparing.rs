@@ -1,13 +1,18 @@
 //! Two tracers on one view, by a user's hands: what is asked for, the divider, and the commands. And the benchmark of the view.
 
 use crate::common::{SIZE, in_room, said};
+use std::path::Path;
 use std::sync::{Arc, mpsc};
+use voxtrace::PackedScene;
 use voxtrace::glam::Vec2;
 use voxtrace_viewer::benchmark::Benchmark;
+use voxtrace_viewer::comparison::Comparison;
 use voxtrace_viewer::engine::{Backend, Contrast, Pause};
 use voxtrace_viewer::input::{Button, Input};
 use voxtrace_viewer::keys::{Action, Key, Modifiers};
+use voxtrace_viewer::running::{RunRequest, Running};
 use voxtrace_viewer::session::{Command, Session};
+use voxtrace_viewer::{Loader, Reading, Told, Wanted};
 use voxtrace_vulkan::{Primitive, Settings, Traversal};
 
 fn tap(input: &mut Input, key: Key, session: &mut Session) {
@@ -76,7 +81,7 @@ fn the_divider_is_dragged_and_nothing_else_with_it() {
     // Beside the divider, and where it is not shown, the mouse does what it always does.
     for (contrast, place) in [(Contrast::Beside, 300.0), (Contrast::Films, 2.0)] {
         let now = session.comparison.clone().unwrap();
-        session.set_comparison(Some(voxtrace_viewer::comparison::Comparison { contrast, ..now }));
+        session.set_comparison(Some(Comparison { contrast, ..now }));
         session.take_commands();
         input.move_to(Vec2::new(place, 300.0), &mut session);
         input.press(Button::Left, &mut session);
@@ -133,6 +138,76 @@ fn a_benchmark_measures_the_view_while_nothing_is_traced() {
     assert!(times.frames > 0 && times.median_ms > 0.0 && times.median_ms <= times.p99_ms && most > 0, "{times:?}");
     assert_eq!(measured[0].wrong_voxels, Some((0, 48 * 32)));
     assert!(measured[0].traced_bytes > 0);
+}
+
+#[test]
+fn a_benchmark_measures_both_tracers_also_where_they_differ_in_their_rounding_alone() {
+    let mut session = in_room("room.vxt");
+    let mut settings = session.render_settings.clone();
+    settings.traversal = Traversal::Walk;
+    session.set_render_settings(settings.clone());
+    let (traversal, primitive) = (Traversal::Walk, Primitive::Brick);
+    let other = |fast| Comparison { traversal, primitive, fast, contrast: Contrast::Beside, split: 0.5 };
+    session.set_comparison(Some(other(false)));
+    assert_eq!(session.bench_cells(), ["walk"]);
+    session.set_comparison(Some(other(true)));
+    assert_eq!(session.bench_cells(), ["walk", "walk:fast"]);
+    settings.fast = true;
+    session.set_render_settings(settings.clone());
+    assert_eq!(session.bench_cells(), ["walk"]);
+    session.set_comparison(Some(Comparison { traversal: Traversal::Query, ..other(false) }));
+    assert_eq!(session.bench_cells(), ["walk", "query:brick:precise"]);
+    // The processor has one way to round.
+    settings.traversal = Traversal::Cpu;
+    session.set_render_settings(settings);
+    assert_eq!(session.bench_cells(), ["cpu", "query:brick"]);
+    assert!(session.bench_subject(None).unwrap().request.precise);
+}
+
+/// Runs a command as long as it is wanted.
+struct Idle;
+
+impl Loader for Idle {
+    fn load(&self, _: &str, _: &Reading, _: Box<dyn Fn(Told) + Send>, _: &Wanted) -> Result<PackedScene, String> {
+        Err("nothing is read here".into())
+    }
+
+    fn run(&self, _: &[String], _: Box<dyn Fn(Told) + Send>, wanted: &Wanted) -> Result<(), String> {
+        while !wanted.is_over() {
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        Err("it was stopped".into())
+    }
+
+    fn save(&self, _: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
+        Err(path.display().to_string())
+    }
+
+    fn built_in(&self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+}
+
+#[test]
+fn nothing_is_measured_while_something_is_made_nor_made_while_something_is_measured() {
+    let mut session = in_room("room.vxt");
+    let loader: Arc<dyn Loader> = Arc::new(Idle);
+    let run = |measures| {
+        let (words, folders) = (vec!["voxtrace".to_owned()], Vec::new());
+        let request = RunRequest { words, name: "a clip".into(), folders, measures };
+        Some(Running::start(&loader, request, Arc::new(|| {})))
+    };
+    let busy = Some("something else is being made");
+    session.running = run(false);
+    session.act(Action::Benchmark, None);
+    assert_eq!(session.take_commands(), []);
+    assert!(said(&mut session).iter().any(|line| line.starts_with("something else is being made")));
+    assert_eq!((session.busy_for_export(), session.busy_for_command()), (None, busy));
+    session.running = run(true);
+    assert_eq!((session.busy_for_export(), session.busy_for_command()), (busy, busy), "a plan is played");
+    session.running = None;
+    session.act(Action::Benchmark, None);
+    assert_eq!(session.take_commands(), [Command::Pause(Pause::Everything), Command::Benchmark]);
 }
 
 #[test]

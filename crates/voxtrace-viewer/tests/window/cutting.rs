@@ -1,16 +1,24 @@
 //! Cuts in the window: what the panel sets, what is read again for them, and the command that renders the same.
 
 use crate::common::panel::{click, panels, set};
-use crate::common::{film, in_room, lit, packed, said, words};
+use crate::common::{film, in_room, lit, packed, room, said, words};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
+use std::path::Path;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use voxtrace::PackedScene;
 use voxtrace::cuts::Cuts;
-use voxtrace::glam::{Vec2, Vec3};
+use voxtrace::georeference::Georeference;
+use voxtrace::glam::{DVec3, Vec2, Vec3};
+use voxtrace::surroundings::{Fog, Ground};
 use voxtrace_viewer::cutting::{Cutting, Slice};
+use voxtrace_viewer::keys::Action;
+use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::Command;
+use voxtrace_viewer::surroundings::Surroundings;
+use voxtrace_viewer::{Loader, Reading, Told, Wanted};
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
 
@@ -151,4 +159,59 @@ fn cuts_that_were_given_hold_for_every_scene_and_those_that_cannot_be_made_are_t
     session.given_cutting.slice = Some(Slice { axis: 2, from: 90.0, thickness: 2.0 });
     session.show("other.vxt".into(), packed());
     assert!(said(&mut session).iter().any(|line| line.contains("nothing is left")), "{:?}", said(&mut session));
+}
+
+/// Gives the room in voxels half as large, somewhere else.
+struct Finer;
+
+impl Loader for Finer {
+    fn load(&self, _: &str, _: &Reading, _: Box<dyn Fn(Told) + Send>, _: &Wanted) -> Result<PackedScene, String> {
+        Ok((*on_the_map(90.0, 0.25)).clone())
+    }
+
+    fn save(&self, _: &PackedScene, path: &Path) -> Result<Vec<String>, String> {
+        Err(path.display().to_string())
+    }
+
+    fn built_in(&self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+}
+
+/// The room with its lowest corner at a place of the map, in voxels of a size.
+fn on_the_map(at: f64, size: f64) -> Arc<PackedScene> {
+    let mut scene = room();
+    scene.voxel_size = size;
+    scene.georeference = Some(Georeference::of_grid(DVec3::splat(at), size, ""));
+    Arc::new(PackedScene::pack(&scene).unwrap())
+}
+
+#[test]
+fn cuts_surroundings_and_the_timeline_stay_in_their_place_where_the_voxels_have_another_size() {
+    let mut session = in_room("a.laz");
+    session.show("a.laz".into(), on_the_map(100.0, 0.5));
+    let clip_box = Some([Vec3::ONE, Vec3::splat(5.0)]);
+    session.set_cutting(Cutting { clip_box, ..Cutting::default() });
+    let surroundings = &mut session.render_settings.surroundings;
+    surroundings.ground = Some(Ground { height: Some(1.0), color: Vec3::ONE });
+    surroundings.fog = Some(Fog { density: 0.5, color: Vec3::ONE, anisotropy: 0.0 });
+    session.act(Action::Timeline, None);
+    session.add_time_key();
+    let camera = session.timeline.course.keys[0].camera.clone();
+    let loader: Arc<dyn Loader> = Arc::new(Finer);
+    session.loading = Some(Loading::start(&loader, "a.laz", Reading::default(), true, Arc::new(|| {})));
+    let start = Instant::now();
+    while session.loading.is_some() {
+        assert!(start.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(1));
+        session.take_loaded();
+    }
+    assert_eq!(session.render_settings.cutting.clip_box, Some([Vec3::splat(42.0), Vec3::splat(50.0)]));
+    assert!(words(&session).contains("--clip-box 42,42,42,50,50,50"), "{}", words(&session));
+    let Surroundings { ground, fog } = session.render_settings.surroundings;
+    assert_eq!(ground.unwrap().height, Some(42.0));
+    assert!((fog.unwrap().density - 0.25).abs() < 1e-6, "{fog:?}");
+    let moved = &session.timeline.course.keys[0].camera;
+    assert_eq!(moved.eye, camera.eye * 2.0 + Vec3::splat(40.0));
+    assert_eq!(moved.eye, session.navigator.camera().eye, "as the camera of the picture");
 }

@@ -3,6 +3,7 @@
 use crate::common::panel::{click as press, panels};
 use crate::common::{in_room, said};
 use egui_kittest::kittest::Queryable;
+use std::time::{Duration, Instant};
 use voxtrace::glam::{DVec3, Vec2, Vec3};
 use voxtrace_viewer::cutting::{Cutting, Slice};
 use voxtrace_viewer::input::{Button, Input};
@@ -88,6 +89,23 @@ fn on_the_face_of_a_cut_points_snap_to_where_the_plane_meets_the_voxel() {
 }
 
 #[test]
+fn what_is_counted_comes_while_the_panels_are_hidden_too() {
+    let (_folder, mut session, mut input) = measuring(Kind::Component);
+    let at = pixel(&session, [12.5, 9.0, 4.5]);
+    click(&mut input, &mut session, at);
+    session.has_panels = false;
+    let mut harness = panels(session, Status::default());
+    let start = Instant::now();
+    while harness.state().measuring.flood.is_some() {
+        assert!(start.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(1));
+        harness.run_steps(1);
+    }
+    // The block stands on the floor.
+    assert_eq!(first(harness.state(), 1), f64::from(6 * 6 * 6 + 24 * 24));
+}
+
+#[test]
 fn a_path_ends_with_a_double_click_an_area_at_its_first_corner_or_by_a_key() {
     let (_folder, mut session, mut input) = measuring(Kind::Path);
     let pixels = [[9.2, 9.0, 6.8], [14.8, 9.0, 6.8]].map(|point| pixel(&session, point));
@@ -130,7 +148,7 @@ fn the_volume_of_what_was_clicked_comes_from_a_thread_also_where_the_scene_is_cu
     let mut count = |session: &mut Session, number: u32, at: [f32; 3]| {
         let at = pixel(session, at);
         click(&mut input, session, at);
-        let start = std::time::Instant::now();
+        let start = Instant::now();
         while !session.measuring.list.contains_key(&number) {
             assert!(start.elapsed().as_secs() < 60, "nothing was counted: {:?}", said(session));
             session.take_component();

@@ -185,6 +185,27 @@ fn edits_that_were_given_up_for_a_scene_that_does_not_come_are_asked_for_again()
 }
 
 #[test]
+fn what_is_edited_while_another_scene_is_read_is_not_lost_to_it() {
+    let mut hand = in_the_room();
+    let loader: Arc<dyn Loader> = Arc::new(Words(AtomicUsize::new(0)));
+    let (sender, receiver) = mpsc::channel();
+    let wake = Arc::new(move || sender.send(()).unwrap_or_default());
+    hand.session.loading = Some(Loading::start(&loader, "good.vxt", Reading::default(), false, wake));
+    hand.click(floor(3, 4));
+    hand.steps(1, 0);
+    while hand.session.loading.is_some() {
+        receiver.recv().expect("the loader ended without an answer");
+        hand.session.take_loaded();
+    }
+    assert_eq!(hand.session.leaving, Some(Leaving::Load("good.vxt".into())), "somebody is asked");
+    assert!(hand.session.has_unsaved_edits() && hand.session.open.as_ref().unwrap().source == "room.vxt");
+    hand.session.discard_and_leave();
+    assert!(hand.session.take_commands().contains(&Command::Load("good.vxt".into())));
+    load(&mut hand.session, "good.vxt");
+    assert_eq!((hand.session.open.as_ref().unwrap().source.as_str(), hand.session.leaving.clone()), ("good.vxt", None));
+}
+
+#[test]
 fn nothing_of_a_scene_that_moves_is_left_in_an_empty_one() {
     let mut session = in_room("room.vxt");
     load(&mut session, "walk.vox");

@@ -2,9 +2,12 @@
 
 use crate::common::rendered;
 use crate::drawing::{device, engine, finished, scene, view};
+use std::sync::Arc;
+use std::sync::mpsc::channel;
+use std::time::Duration;
 use voxtrace::Camera;
 use voxtrace::glam::Vec3;
-use voxtrace_viewer::engine::{Backend, Pause, View};
+use voxtrace_viewer::engine::{Backend, Engine, Event, Pause, View};
 use voxtrace_vulkan::Settings;
 
 #[test]
@@ -30,4 +33,21 @@ fn a_view_that_changes_while_samples_are_left_out_is_shown_by_its_first() {
         engine.pause(Pause::Nothing);
         finished(&engine, &events, 2);
     }
+}
+
+#[test]
+fn a_fault_of_the_thread_that_traces_is_told() {
+    let Some(device) = device() else { return };
+    let (sender, events) = channel();
+    let engine = Engine::start(Arc::clone(&device), Backend::Cpu, move |event| match event {
+        Event::Picture => panic!("a fault that is planted"),
+        event => drop(sender.send(event)),
+    });
+    engine.set_scene(Some(scene()));
+    engine.set_view(view(1), false);
+    while !matches!(
+        events.recv_timeout(Duration::from_secs(300)).expect("the picture stands still without a word"),
+        Event::Failed(_)
+    ) {}
+    assert!(engine.film().recv().is_err(), "nobody answers any more");
 }

@@ -124,6 +124,18 @@ fn a_panorama_is_entered_or_dropped_turned_and_traced_as_render_does() {
     assert_eq!(entered, under(0.0));
     assert_ne!(entered, under(90.0), "the comparison sees a turned sky");
 
+    // The field names what is dropped later, and nothing once the scene has its own light again.
+    let other = folder.path().join("another.hdr");
+    std::fs::copy(&path, &other).unwrap();
+    harness.state_mut().take_dropped(&other);
+    make(harness.state_mut());
+    harness.run_steps(3);
+    let named = |session: &Session| session.panorama.as_ref().map(|field| field.text.clone());
+    assert_eq!(named(harness.state()), Some(other.display().to_string()));
+    harness.get_by_label("the scene's own light").click();
+    harness.run_steps(3);
+    assert_eq!((named(harness.state()), harness.state().render_settings.sky.clone()), (None, None));
+
     let mut session = in_room("room.vxt");
     session.take_dropped(&path);
     assert_eq!(make(&mut session), [Command::SetScene]);
@@ -143,6 +155,26 @@ fn a_file_that_is_no_panorama_is_told_of_and_the_scenes_own_sky_stays() {
     assert!(said(&mut session).iter().any(|line| line.contains("no.hdr")), "{:?}", said(&mut session));
     assert_eq!((session.render_settings.sky.clone(), session.size()), (None, SIZE));
     assert_eq!(lit(&session).sky, session.open.as_ref().unwrap().original.sky);
+}
+
+#[test]
+fn a_sky_that_fails_takes_nothing_away_that_was_chosen_meanwhile() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("no.hdr");
+    std::fs::write(&path, "#?RADIANCE\n").unwrap();
+    let mut session = in_room("room.vxt");
+    session.set_panorama(&path);
+    session.take_commands();
+    let (sender, woken) = channel();
+    session.make_sky(Arc::new(move || _ = sender.send(())));
+    let color = SkySetting::Color(Vec3::new(0.1, 0.2, 0.3));
+    let mut settings = session_settings(&session);
+    settings.sky = Some(color.clone());
+    session.set_render_settings(settings);
+    woken.recv_timeout(Duration::from_secs(120)).unwrap();
+    session.take_sky();
+    assert!(said(&mut session).iter().any(|line| line.contains("no.hdr")), "{:?}", said(&mut session));
+    assert_eq!(session.render_settings.sky, Some(color));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use voxtrace_viewer::input::Input;
 use voxtrace_viewer::keys::{Action, Key};
 use voxtrace_viewer::navigation::Motion;
 use voxtrace_viewer::panels::Status;
-use voxtrace_viewer::session::{Command, Session};
+use voxtrace_viewer::session::{Command, Leaving, Session};
 use voxtrace_viewer::timeline::TimeKey;
 
 fn turn(session: &mut Session) {
@@ -181,6 +181,62 @@ fn a_file_whose_camera_moves_otherwise_is_never_written_over() {
     assert_eq!(session.save_timeline(), None);
     assert!(said(&mut session).iter().any(|line| line.contains("camera.orbit")));
     assert!(std::fs::read_to_string(&file).unwrap().contains("orbit"));
+}
+
+#[test]
+fn a_way_that_another_program_set_meanwhile_is_written_over_only_when_asked_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut session = with_two_keys(&folder.path().join("room.vxt").display().to_string());
+    let file = session.save_timeline().unwrap();
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert!(text.contains("at = 2.0"), "{text}");
+    std::fs::write(&file, text.replace("at = 2.0", "at = 2.5")).unwrap();
+    turn(&mut session);
+    session.act(Action::DividerRight, None);
+    assert_eq!(session.save_timeline(), None);
+    assert!(said(&mut session).iter().any(|line| line.contains("another program")));
+    assert!(std::fs::read_to_string(&file).unwrap().contains("at = 2.5"));
+    assert_eq!(session.save_timeline(), Some(file.clone()));
+    assert!(!std::fs::read_to_string(&file).unwrap().contains("at = 2.5"));
+}
+
+#[test]
+fn a_timeline_that_no_file_holds_is_left_only_after_a_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("room.vxt").display().to_string();
+    let mut harness = panels(with_two_keys(&source), Status::default());
+    let ask = |harness: &mut Harness<Session>, leaving: Leaving| {
+        harness.state_mut().take_commands();
+        assert!(!harness.state_mut().may_leave(leaving));
+        harness.run_steps(3);
+    };
+    ask(&mut harness, Leaving::Quit);
+    click(&mut harness, "Cancel");
+    assert_eq!((harness.state().leaving.clone(), harness.state_mut().take_commands()), (None, vec![]));
+    ask(&mut harness, Leaving::Quit);
+    click(&mut harness, "Save");
+    assert!(folder.path().join("room.animation.toml").is_file());
+    assert!(harness.state_mut().take_commands().contains(&Command::Quit));
+    assert!(harness.state_mut().may_leave(Leaving::Quit), "a file holds it");
+    turn(harness.state_mut());
+    harness.state_mut().act(Action::DividerRight, None);
+    ask(&mut harness, Leaving::Load("city".into()));
+    click(&mut harness, "Open without saving");
+    assert!(harness.state_mut().take_commands().contains(&Command::Load("city".into())));
+    assert!(harness.state_mut().may_leave(Leaving::Load("city".into())), "once is enough");
+    harness.state_mut().undo_time();
+    assert!(!harness.state_mut().may_leave(Leaving::Quit), "there is another change");
+}
+
+#[test]
+fn the_timeline_of_a_scene_without_a_file_is_kept_with_the_scene() {
+    let mut session = in_room("room.vxt");
+    session.show_new([8; 3]);
+    session.act(Action::Timeline, None);
+    session.add_time_key();
+    assert_eq!(session.save_timeline(), None);
+    assert!(said(&mut session).iter().any(|line| line.contains("save it first")));
+    assert!(session.may_leave(Leaving::Quit), "there is nothing that it could be kept with");
 }
 
 #[test]

@@ -20,6 +20,7 @@ use voxtrace_viewer::load::{Loader, Loading, Reading, Told, Wanted};
 use voxtrace_viewer::measuring::{Component, Kind, Measure};
 use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::{Command, Session};
+use voxtrace_viewer::transfer::ValueCurve;
 use voxtrace_viewer::{PointsChoice, PointsSeen, ValuesSeen};
 
 /// Gives a room whatever it is asked for, shows nothing above 250, and keeps how it was asked.
@@ -48,6 +49,9 @@ impl Loader for Scanner {
         tell(Told::Points(Arc::new(PointsSeen { count: 1801, attributes, classes })));
         if reading.transfer.as_ref().is_some_and(|word| word.contains("threshold=999")) {
             return Err("no sample is to be seen".into());
+        }
+        if reading.coarse.is_none() && reading.transfer.as_ref().is_some_and(|word| word.contains("threshold=998")) {
+            return Err("these are too many voxels".into());
         }
         let mut scene = room();
         scene.instances[0].world_from_grid = Transform::from_translation(Vec3::Z * reading.coarse.map_or(0.0, |_| 1.0));
@@ -187,6 +191,19 @@ fn the_panel_has_presets_an_automatic_ramp_and_a_way_back_from_nothing() {
     click(&mut harness, "Reset");
     assert_eq!(harness.state_mut().take_commands(), [Command::LoadAgain]);
     assert!(!words(harness.state()).contains("--transfer"));
+}
+
+#[test]
+fn coarse_voxels_that_are_not_followed_by_all_are_told_of() {
+    let loader: Arc<dyn Loader> = Arc::new(Scanner::default());
+    let mut session = opened(&loader);
+    let automatic = session.values.as_ref().unwrap().seen.automatic();
+    for (low, is_left_coarse, has_error) in [(998.0, true, true), (automatic.low, false, false), (999.0, false, true)] {
+        session.set_curve(Some(ValueCurve { low, ..automatic.clone() }));
+        settle(&mut session, &loader);
+        let values = session.values.as_ref().unwrap();
+        assert_eq!((values.is_left_coarse, values.error.is_some()), (is_left_coarse, has_error), "{low}");
+    }
 }
 
 #[test]

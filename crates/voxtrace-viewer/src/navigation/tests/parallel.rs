@@ -98,3 +98,27 @@ fn zooming_a_panorama_leads_to_what_is_under_the_cursor_also_behind_the_camera()
     let step = navigator.camera().eye - eye;
     assert!(step.normalize().dot(ray.direction) > 0.999, "{step}");
 }
+
+#[test]
+fn moving_sideways_in_a_wide_picture_keeps_what_is_held_under_the_cursor() {
+    let mut random = Random(7);
+    for lens in [Lens::Panorama { eye_distance: 0.0 }, Lens::Fisheye { fisheye_angle: 180.0 }] {
+        for index in 0..100 {
+            let camera = Camera::look_at(Vec3::new(40.0, 20.0, 25.0), Vec3::new(40.0, 60.0, 35.0));
+            let mut navigator = at(camera.clone().with_lens(lens));
+            let (press, far) = (random.cursor(), 30.0);
+            let point = navigator.point_at(press, far);
+            let anchor = (index % 2 == 0).then_some(point);
+            navigator.apply(Motion::Pan { from: press, to: press + Vec2::X, anchor });
+            let step = navigator.camera().eye.distance(camera.eye);
+            let most = 0.01 * far.max(camera.eye.distance(camera.target));
+            assert!(step < most, "{lens:?} {press}: a pixel led {step} away");
+            let to = random.cursor();
+            navigator.apply(Motion::Pan { from: press + Vec2::X, to, anchor });
+            let seen = (point - navigator.camera().eye).normalize();
+            if anchor.is_some() {
+                assert!(seen.dot(navigator.ray(to).direction) > 0.99999, "{lens:?} {press} {to}");
+            }
+        }
+    }
+}

@@ -36,10 +36,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
         });
     }
     estimate(ui, session, &dialog.quality, status, dialog.frames() as usize);
-    let missing = match session.exporting {
-        Some(_) => Some(tr!("dialogs.busy").to_owned()),
-        None => dialog.check(session).err(),
-    };
+    let busy = session.busy_for_export().map(str::to_owned);
+    let missing = busy.or_else(|| dialog.check(session).err());
     let ffmpeg = dialog.ffmpeg();
     let (mut is_command, mut is_ffmpeg) = (false, false);
     ui.horizontal(|ui| {

@@ -70,7 +70,14 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
 
 /// Does what a dialog is for; where something is missing, it stays open and says so.
 fn go(session: &mut Session, mut dialog: Dialog) {
+    // Enter in a field asks for it, too, whatever is under way.
+    let busy = match &dialog {
+        Dialog::Picture(_) | Dialog::Frames(_) => session.busy_for_export(),
+        Dialog::Plan(_) | Dialog::Record(_) => session.busy_for_command(),
+        Dialog::Save(_) | Dialog::New(_) | Dialog::Open(_) => None,
+    };
     let asked = match &mut dialog {
+        _ if busy.is_some() => Err(busy.unwrap_or_default().to_owned()),
         Dialog::Picture(dialog) => dialog.request(session).map(|request| session.export(request)),
         Dialog::Frames(dialog) => dialog.request(session).map(|request| session.export(request)),
         Dialog::Plan(dialog) => dialog.request().map(|request| session.run_command(request)),

@@ -26,11 +26,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, stat
         ui.checkbox(&mut dialog.replaces, tr!("dialogs_picture.write_over_the_file_that"));
     }
     estimate(ui, session, &dialog.quality, status, 1);
-    let missing = match session.exporting {
-        Some(_) => Err(tr!("dialogs.busy").into()),
-        None => dialog.check(session),
-    };
-    let missing = missing.err();
+    let busy = session.busy_for_export().map(str::to_owned);
+    let missing = busy.or_else(|| dialog.check(session).err());
     let mut is_copied = false;
     let pressed = buttons(ui, tr!("dialogs.render"), missing.as_deref(), |ui| {
         is_copied = ui.button(tr!("dialogs_picture.copy_its_command")).clicked()

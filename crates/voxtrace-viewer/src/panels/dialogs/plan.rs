@@ -15,10 +15,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PlanDialog) -> Opti
     });
     ui.checkbox(&mut dialog.quick, tr!("dialogs_plan.quick"));
     ui.label(RichText::new(tr!("dialogs_plan.about")).weak());
-    let missing = match session.running.is_some() {
-        true => Some(tr!("running.busy_short").to_owned()),
-        false => dialog.request().err(),
-    };
+    let busy = session.busy_for_command().map(str::to_owned);
+    let missing = busy.or_else(|| dialog.request().err());
     let mut is_copied = false;
     let pressed = buttons(ui, tr!("dialogs.play"), missing.as_deref(), |ui| {
         is_copied = ui.button(tr!("dialogs.copy_its_command")).clicked()

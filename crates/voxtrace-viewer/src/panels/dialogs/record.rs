@@ -39,10 +39,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut RecordDialog, statu
         });
     }
     estimate(ui, session, &dialog.quality, status, frames as usize);
-    let missing = match session.running.is_some() || session.exporting.is_some() {
-        true => Some(tr!("running.busy_short").to_owned()),
-        false => dialog.check(session).err(),
-    };
+    let busy = session.busy_for_command().map(str::to_owned);
+    let missing = busy.or_else(|| dialog.check(session).err());
     let mut is_copied = false;
     let pressed = buttons(ui, tr!("dialogs.do_record"), missing.as_deref(), |ui| {
         is_copied = ui.button(tr!("dialogs.copy_its_command")).clicked()

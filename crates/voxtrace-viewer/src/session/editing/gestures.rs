@@ -285,7 +285,9 @@ impl Session {
 /// How long a line is, and how large a box, for people.
 pub fn extent(stroke: &Stroke) -> Option<String> {
     match stroke {
-        Stroke::Span { tool: Tool::Line, from, to, .. } => Some(format!("{} long", line(*from, *to).len())),
+        Stroke::Span { tool: Tool::Line, from, to, .. } => {
+            Some(tr!("edit.extent_of_line", count = line(*from, *to).len()))
+        }
         Stroke::Span { .. } => {
             let size = stroke.region().unwrap_or(box_between(IVec3::ZERO, IVec3::ZERO)).size();
             Some(format!("{} × {} × {}", size.x, size.y, size.z))

@@ -1,4 +1,5 @@
-//! Edits that no file holds yet: where they are saved, what asks before they are lost, and the file from which they come back after a crash.
+//! Edits that no file holds yet: where they are saved, what asks before they or changes of the timeline are lost, and the file from which edits come back after
+//! a crash.
 
 use crate::dialogs::{Dialog, SaveDialog};
 use crate::editing::Saved;
@@ -18,7 +19,7 @@ const MOST_ACROSS: i32 = 256;
 /// Time between two recovery files.
 const BETWEEN_RECOVERIES: Duration = Duration::from_secs(60);
 
-/// What would lose edits that no file holds.
+/// What would lose edits, or changes of the timeline, that no file holds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leaving {
     /// The window is to be closed.
@@ -45,9 +46,9 @@ impl Session {
         self.editing.as_ref().is_some_and(crate::editing::Editing::is_unsaved)
     }
 
-    /// Whether the scene may be left: where it has edits that no file holds, somebody is asked first.
+    /// Whether the scene may be left: where no file holds its edits, or the changes of its timeline, somebody is asked first.
     pub fn may_leave(&mut self, leaving: Leaving) -> bool {
-        if !self.has_unsaved_edits() || self.is_discarding {
+        if (!self.has_unsaved_edits() || self.is_discarding) && !self.has_unsaved_timeline() {
             return true;
         }
         self.dialog = None;
@@ -55,16 +56,23 @@ impl Session {
         false
     }
 
-    /// Saves the edits, then does what was asked for.
+    /// Saves the edits and the timeline, then does what was asked for. Where the timeline cannot be saved, the question stays.
     pub fn save_and_leave(&mut self) {
-        self.is_leaving_saved = true;
-        self.save_edits();
+        if self.has_unsaved_timeline() && self.save_timeline().is_none() {
+            return;
+        }
+        if self.has_unsaved_edits() {
+            self.is_leaving_saved = true;
+            self.save_edits();
+        } else if let Some(leaving) = self.leaving.take() {
+            self.ask(leaving.command());
+        }
     }
 
     /// Does what was asked for without saving.
     pub fn discard_and_leave(&mut self) {
         if let Some(leaving) = self.leaving.take() {
-            self.is_discarding = true;
+            (self.is_discarding, self.timeline.is_given_up) = (true, true);
             self.ask(leaving.command());
         }
     }
@@ -149,6 +157,8 @@ impl Session {
         if std::mem::take(&mut self.is_leaving_saved)
             && let Some(leaving) = self.leaving.take()
             && !self.has_unsaved_edits()
+            // That of a scene that has a place from now on.
+            && (!self.has_unsaved_timeline() || self.save_timeline().is_some())
         {
             self.ask(leaving.command());
         }
