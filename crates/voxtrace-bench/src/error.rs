@@ -7,6 +7,7 @@ use crate::results::ResumeError;
 use std::io;
 use std::path::{Path, PathBuf};
 use voxtrace::TraceError;
+use voxtrace::scenes::SceneError;
 
 /// Why a benchmark ends early.
 #[derive(Debug, thiserror::Error)]
@@ -18,6 +19,9 @@ pub enum BenchError {
     /// A cell that does not exist.
     #[error(transparent)]
     Cell(#[from] CellError),
+    /// A built-in scene cannot be as large, or as small, as is asked for.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
     /// The device that was asked for does not open.
     #[error(transparent)]
     Trace(#[from] TraceError),

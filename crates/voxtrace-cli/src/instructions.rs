@@ -32,7 +32,7 @@ impl InstructionsArg {
             return Ok(());
         }
         let name = instructions.name();
-        let hint = "leave --instructions (or VOXTRACE_INSTRUCTIONS) out: the widest that it has are used then";
+        let hint = "leave --instructions (or VOXTRACE_INSTRUCTIONS) out: those that it is fastest with are used then";
         Err(Failure::usage(format!("this processor has no {name}")).hint(hint))
     }
 }

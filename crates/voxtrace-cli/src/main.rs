@@ -74,7 +74,7 @@ pub struct Cli {
     /// Threads to use [default: all cores]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Vector instructions that the CPU traces with, to compare them; all give the same picture [default: the widest]
+    /// Vector instructions that the CPU traces with, to compare them; all give the same picture [default: those that this processor is fastest with]
     #[arg(long, global = true, value_name = "NAME", env = "VOXTRACE_INSTRUCTIONS", hide_env_values = true)]
     instructions: Option<instructions::InstructionsArg>,
     /// How progress is shown on stderr
@@ -128,7 +128,7 @@ fn parse_arguments() -> Result<Option<Cli>, Failure> {
     match Cli::try_parse() {
         Ok(cli) => Ok(Some(cli)),
         Err(error) if matches!(error.kind(), DisplayHelp | DisplayVersion) => {
-            let _ = error.print();
+            stdout::keep(error.print().and_then(|()| std::io::stdout().flush()));
             Ok(None)
         }
         Err(error) if matches!(error.kind(), MissingSubcommand | DisplayHelpOnMissingArgumentOrSubcommand) => {

@@ -18,7 +18,12 @@ pub fn begin() {
 /// Prints to stdout. A reader that has gone away (`voxtrace … | head`, a terminal that was closed) is no failure; of any other, [`lost`] tells.
 pub fn print(text: &str) {
     let mut stdout = std::io::stdout().lock();
-    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+    keep(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()));
+}
+
+/// Keeps for [`lost`] what went wrong when something was printed.
+pub fn keep(printed: std::io::Result<()>) {
+    match printed {
         Err(error) if error.kind() != ErrorKind::BrokenPipe && IS_TERMINAL.get() != Some(&true) => {
             drop(LOST.set(error));
         }

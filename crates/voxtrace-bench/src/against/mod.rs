@@ -110,7 +110,8 @@ impl Against {
         let duel = Duel::of(self.programs.each_ref().map(|program| program.display().to_string()), rounds);
         let path = self.output.join("against.json");
         let text = format!("{:#}\n", duel.json());
-        std::fs::write(&path, text).map_err(|source| BenchError::output(&path, source))?;
+        voxtrace::output::write_atomically(&path, |out| io::Write::write_all(out, text.as_bytes()))
+            .map_err(|source| BenchError::output(&path, source))?;
         Ok(duel)
     }
 

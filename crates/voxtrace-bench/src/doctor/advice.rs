@@ -1,7 +1,7 @@
 //! What to do about what is missing.
 
 use super::host::Host;
-use super::manifests::Manifest;
+use super::manifests::{self, Manifest};
 use super::remedy::{Missing, System};
 use crate::quantity::counted;
 use voxtrace::TraceError;
@@ -36,9 +36,12 @@ pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifest
     let libraries =
         || manifests.iter().filter(|manifest| manifest.fault.is_none()).filter_map(|one| one.library.as_deref());
     let remedies = |missing| System::this(libraries()).remedies(missing);
+    let variable =
+        || manifests::variable().map(|name| format!("{name} is set: other drivers than it names are not looked for"));
     match (found, best) {
         (Err(error), _) => {
             lines.push(format!("no GPU can be used: {error}"));
+            lines.extend(variable());
             // A loader that is there looks at what drivers say of themselves.
             let has_loader = !error.to_string().contains("loader");
             lines.extend(remedies(if has_loader { Missing::Driver } else { Missing::Loader }));
@@ -50,6 +53,7 @@ pub fn advice(host: &Host, found: &Result<Vec<DeviceInfo>, TraceError>, manifest
                 "there is no GPU that can compute with Vulkan 1.2, only what is listed"
             };
             lines.push(format!("no GPU can be used: {why}"));
+            lines.extend(variable());
             lines.extend(remedies(Missing::Driver));
         }
         (Ok(_), Some(info)) => {

@@ -21,10 +21,10 @@ impl Manifest {
             Ok(text) => text,
             Err(error) => return fault(crate::reason::reason(&error)),
         };
-        let library = serde_json::from_str::<Value>(&text)
-            .ok()
-            .and_then(|value| Some(value["ICD"]["library_path"].as_str()?.to_owned()));
-        let Some(library) = library else { return fault("it names no library".into()) };
+        let Ok(value) = serde_json::from_str::<Value>(&text) else { return fault("it is no JSON".into()) };
+        let Some(library) = value["ICD"]["library_path"].as_str().map(str::to_owned) else {
+            return fault("it names no library".into());
+        };
         // A name without a folder is the linker's to find; a relative one counts from the manifest.
         let beside = path.parent().unwrap_or(Path::new("")).join(&library);
         let is_gone = library.contains('/') && !beside.exists();
@@ -32,19 +32,24 @@ impl Manifest {
     }
 
     pub fn to_json(&self) -> Value {
-        json!({ "manifest": self.path, "library": self.library, "fault": self.fault })
+        // A path may be no Unicode, which JSON has to be.
+        json!({ "manifest": self.path.display().to_string(), "library": self.library, "fault": self.fault })
     }
+}
+
+/// The variable that is set, even to nothing, and whose manifests stand for all that are installed.
+pub fn variable() -> Option<&'static str> {
+    ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"].into_iter().find(|name| std::env::var_os(name).is_some())
 }
 
 /// All that the loader would look at, in its order.
 pub fn found() -> Vec<Manifest> {
-    let mut paths = match ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"].into_iter().find_map(std::env::var_os) {
-        // The variable stands for everything else.
-        Some(named) => std::env::split_paths(&named).flat_map(|path| files(&path)).collect(),
-        None => folders().iter().flat_map(|folder| files(folder)).collect::<Vec<_>>(),
+    let mut paths = match variable().and_then(std::env::var_os) {
+        Some(named) => std::env::split_paths(&named).flat_map(named_by).collect(),
+        None => folders().iter().flat_map(|folder| in_folder(folder)).collect::<Vec<_>>(),
     };
     if let Some(more) = std::env::var_os("VK_ADD_DRIVER_FILES") {
-        paths.extend(std::env::split_paths(&more).flat_map(|path| files(&path)));
+        paths.extend(std::env::split_paths(&more).flat_map(named_by));
     }
     let mut seen = std::collections::BTreeSet::new();
     paths.retain(|path| seen.insert(path.clone()));
@@ -69,17 +74,17 @@ fn folders() -> Vec<PathBuf> {
     all.into_iter().map(|folder| folder.join("vulkan/icd.d")).collect()
 }
 
-/// The manifests that a path stands for: itself, or all in the folder.
-fn files(path: &Path) -> Vec<PathBuf> {
-    if !path.is_dir() {
-        // Folders of the standard places need not be there, files that a variable names do.
-        return if path.extension().is_some() && !path.ends_with("icd.d") {
-            vec![path.to_path_buf()]
-        } else {
-            Vec::new()
-        };
+/// The manifests that a path in a variable stands for: itself, also where it is not there, or all in the folder.
+fn named_by(path: PathBuf) -> Vec<PathBuf> {
+    match path.is_dir() {
+        true => in_folder(&path),
+        false => Some(path).filter(|path| !path.as_os_str().is_empty()).into_iter().collect(),
     }
-    let mut all: Vec<PathBuf> = std::fs::read_dir(path)
+}
+
+/// The manifests in a folder, none where it is not there.
+fn in_folder(folder: &Path) -> Vec<PathBuf> {
+    let mut all: Vec<PathBuf> = std::fs::read_dir(folder)
         .into_iter()
         .flatten()
         .flatten()

@@ -78,7 +78,7 @@ impl<'a> Run<'a> {
                 measured.is_interrupted = true;
                 break;
             }
-            let limit = limit.map(|limit| if index < least { limit * LONGEST } else { limit });
+            let limit = limit.map(|limit| if index < least { limit.saturating_mul(LONGEST) } else { limit });
             if index > 0 && limit.is_some_and(|limit| start.elapsed() >= limit) {
                 break;
             }

@@ -21,7 +21,8 @@ pub struct Processor {
     pub own: Option<f64>,
     /// Time in which its threads could run and had no processor.
     pub waited: Option<f64>,
-    /// Processor time of everything else on the processors that this program may use, what a hypervisor took included.
+    /// Processor time of everything else on the processors that this program may use, what a hypervisor took included. Counted in ticks, so
+    /// that of short turns it may be less than nothing, which makes up for those of which it is too much.
     pub others: Option<f64>,
     /// Processors that this program may use.
     pub count: Option<usize>,
@@ -57,14 +58,18 @@ impl Processor {
 
     /// Part of the processors that other programs had.
     pub fn others_part(&self) -> Option<f64> {
-        Some(self.others? / self.wall / self.count? as f64).filter(|part| part.is_finite())
+        Some(self.others? / self.wall / self.count? as f64)
+            .filter(|part| part.is_finite())
+            .map(|part| part.clamp(0.0, 1.0))
     }
 
     /// Why times of work on the processors say little; `None` where the machine was quiet or nothing is known.
     pub fn disturbance(&self) -> Option<String> {
         let percent = |part: f64| format!("{:.0} %", 100.0 * part);
         let waited = self.waited_part().filter(|&part| part > MOST_WAITED);
-        let others = self.others_part().filter(|&part| part > MOST_OTHERS);
+        // On each processor a turn is counted to a tick.
+        let unknown = f64::from(self.turns) / TICKS / self.wall;
+        let others = self.others_part().filter(|&part| part > MOST_OTHERS + unknown);
         match (waited, others) {
             (None, None) => None,
             (Some(waited), None) => Some(format!("threads waited {} of the time for a processor", percent(waited))),
@@ -80,8 +85,8 @@ impl Processor {
     /// As a cell of `results.json` has it.
     pub fn json(&self) -> Value {
         json!({
-            "wall_s": self.wall, "processor_s": self.own, "waited_s": self.waited, "others_s": self.others,
-            "processors": self.count, "turns": self.turns,
+            "wall_s": self.wall, "processor_s": self.own, "waited_s": self.waited,
+            "others_s": self.others.map(|others| others.max(0.0)), "processors": self.count, "turns": self.turns,
         })
     }
 
@@ -122,8 +127,7 @@ impl Watch {
             wall,
             own: Some(own),
             waited: after.waited.zip(before.waited).map(|(after, before)| after - before),
-            // Both are counted in ticks, or not at the same moment.
-            others: after.all.zip(before.all).map(|(after, before)| (after - before - own).max(0.0)),
+            others: after.all.zip(before.all).map(|(after, before)| after - before - own),
             count: Some(after.count),
             turns: 1,
         }
@@ -210,6 +214,27 @@ mod tests {
         let both = turn(20.0, 20.0, 20.0).disturbance().unwrap();
         assert_eq!(both, "threads waited 50 % of the time for a processor, other programs had 50 %");
         assert_eq!(Processor { wall: 1.0, turns: 1, ..Processor::default() }.disturbance(), None, "nothing is known");
+    }
+
+    #[test]
+    fn turns_that_are_shorter_than_ticks_accuse_nobody() {
+        // Eight turns of eight milliseconds on two processors, where three of the ticks fell into them that were due before.
+        let short = Processor {
+            wall: 0.064,
+            own: Some(0.128),
+            waited: Some(0.0),
+            others: Some(0.03),
+            count: Some(2),
+            turns: 8,
+        };
+        assert_eq!(short.disturbance(), None);
+        let long = Processor { wall: 6.4, own: Some(12.8), others: Some(3.0), ..short.clone() };
+        assert_eq!(long.disturbance().unwrap(), "other programs had 23 % of the processors");
+        let mut sum = Processor::default();
+        sum.add(Processor { others: Some(-0.02), turns: 1, ..short.clone() });
+        assert_eq!((sum.others_part(), &sum.json()["others_s"]), (Some(0.0), &0.0.into()));
+        sum.add(Processor { others: Some(0.03), turns: 1, ..short });
+        assert!((sum.others.unwrap() - 0.01).abs() < 1e-9, "what is too little makes up for what is too much");
     }
 
     #[test]

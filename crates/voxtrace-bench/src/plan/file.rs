@@ -1,9 +1,10 @@
 //! Plans in TOML: our own, and those of the study's program FastVoxels, whose `config.toml` names a scene, a shader and a
 //! number of frames, with `SCENE.vox` and `SCENE.toml` (camera and light) beside it.
 
-use crate::quantity::{self, Size};
+use crate::quantity::{self, QuantityError, Size};
 use crate::reason::reason;
 use std::io;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use toml::{Table, Value};
@@ -63,6 +64,8 @@ impl SceneEntry {
     }
 }
 
+/// How many frames a cell may have.
+const FRAMES: RangeInclusive<u32> = 1..=1_000_000;
 const KEYS: [&str; 13] = [
     "scenes",
     "cells",
@@ -126,7 +129,11 @@ impl PlanFile {
 }
 
 fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String> {
-    let table: Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    let table: Table = text.parse().map_err(|error: toml::de::Error| {
+        let line = |at: usize| 1 + text.bytes().take(at).filter(|&byte| byte == b'\n').count();
+        let place = error.span().map_or(String::new(), |span| format!("line {}: ", line(span.start)));
+        format!("{place}{}", error.message())
+    })?;
     if table.contains_key("shader_file") || table.contains_key("benchmark_frames") {
         return fast_voxels(&table, folder);
     }
@@ -137,14 +144,10 @@ fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String>
     if let Some(unknown) = table.keys().find(|key| !KEYS.contains(&key.as_str())) {
         return Err(format!("`{unknown}` is no key of a plan: {}", KEYS.join(", ")));
     }
-    let whole = |key: &str| -> Result<Option<u32>, String> {
-        let number = |value: &Value| u32::try_from(value.as_integer()?).ok();
-        let value = table.get(key).map(|value| number(value).ok_or_else(|| format!("`{key}` is no whole number")));
-        value.transpose()
-    };
+    let of_voxels = |key: &str, value: &Value| voxels(value).map_err(|error| format!("`{key}`: {error}"));
     let sweep = match table.get("sweep") {
         None => None,
-        Some(Value::Array(sizes)) => Some(sizes.iter().map(voxels).collect::<Result<_, _>>()?),
+        Some(Value::Array(sizes)) => Some(sizes.iter().map(|size| of_voxels("sweep", size)).collect::<Result<_, _>>()?),
         Some(_) => return Err("`sweep` is no list".into()),
     };
     let scenes = list(&table, "scenes")?.iter().map(|entry| scene(entry, folder)).collect::<Result<_, _>>()?;
@@ -152,18 +155,14 @@ fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String>
     Ok(PlanFile {
         scenes,
         cells,
-        frames: whole("frames")?,
-        warm_up: whole("warm_up")?,
-        time_limit: text_of(&table, "time_limit")?
-            .map(|text| quantity::duration(&text).map_err(|error| error.to_string()))
-            .transpose()?,
-        size: text_of(&table, "size")?
-            .map(|text| quantity::size(&text).map_err(|error| error.to_string()))
-            .transpose()?,
-        max_bounces: whole("max_bounces")?,
+        frames: whole(&table, "frames", FRAMES)?,
+        warm_up: whole(&table, "warm_up", 0..=100_000)?,
+        time_limit: quantity_of(&table, "time_limit", quantity::duration)?,
+        size: quantity_of(&table, "size", quantity::size)?,
+        max_bounces: whole(&table, "max_bounces", 0..=1024)?,
         integrator: text_of(&table, "integrator")?.map(|name| integrator(&name)).transpose()?,
-        voxels: table.get("voxels").map(voxels).transpose()?,
-        instances: whole("instances")?.map(instances).transpose()?,
+        voxels: table.get("voxels").map(|value| of_voxels("voxels", value)).transpose()?,
+        instances: whole(&table, "instances", 1..=scenes::MAX_INSTANCES)?,
         sweep,
         precise: match table.get("precise") {
             None => false,
@@ -171,6 +170,23 @@ fn parse_plan(text: &str, folder: &Path, stem: &str) -> Result<PlanFile, String>
         },
         device: text_of(&table, "device")?,
     })
+}
+
+/// A whole number in a range, which is that of the option of this name.
+fn whole(table: &Table, key: &str, range: RangeInclusive<u32>) -> Result<Option<u32>, String> {
+    let number = |value: &Value| u32::try_from(value.as_integer()?).ok().filter(|number| range.contains(number));
+    let wrong = || format!("`{key}` is no whole number from {} to {}", range.start(), range.end());
+    table.get(key).map(|value| number(value).ok_or_else(wrong)).transpose()
+}
+
+/// A quantity that stands in a text.
+fn quantity_of<T>(
+    table: &Table,
+    key: &str,
+    read: impl Fn(&str) -> Result<T, QuantityError>,
+) -> Result<Option<T>, String> {
+    let text = text_of(table, key)?;
+    text.map(|text| read(&text).map_err(|error| format!("`{key}`: {error}"))).transpose()
 }
 
 fn list<'a>(table: &'a Table, key: &str) -> Result<&'a [Value], String> {
@@ -191,11 +207,6 @@ fn text_of(table: &Table, key: &str) -> Result<Option<String>, String> {
 fn integrator(name: &str) -> Result<Integrator, String> {
     let known = [Integrator::Essay, Integrator::Path].into_iter().find(|integrator| integrator.name() == name);
     known.ok_or_else(|| format!("`integrator` is {name:?}, neither essay nor path"))
-}
-
-fn instances(count: u32) -> Result<u32, String> {
-    let is_possible = (1..=scenes::MAX_INSTANCES).contains(&count);
-    is_possible.then_some(count).ok_or_else(|| format!("`instances` is not between 1 and {}", scenes::MAX_INSTANCES))
 }
 
 /// A number of voxels, or a text like "500k".
@@ -240,13 +251,7 @@ fn fast_voxels(table: &Table, folder: &Path) -> Result<PlanFile, String> {
         Some("Optimized") => vec!["pipeline:voxel-approx".to_owned()],
         Some(other) => return Err(format!("`shader_file` is {other:?}, neither \"NotOptimized\" nor \"Optimized\"")),
     };
-    let frames = match table.get("benchmark_frames") {
-        None => None,
-        Some(value) => {
-            let frames = value.as_integer().and_then(|frames| u32::try_from(frames).ok()).filter(|&frames| frames > 0);
-            Some(frames.ok_or("`benchmark_frames` is no number of frames")?)
-        }
-    };
+    let frames = whole(table, "benchmark_frames", FRAMES)?;
     let sweep = Some(Vec::new());
     Ok(PlanFile { scenes: vec![fast_voxels_scene(&scene, folder)], cells: cell, frames, sweep, ..PlanFile::default() })
 }
@@ -320,13 +325,22 @@ mod tests {
         assert!(fails("scenes = [{ camera = \"a\" }]").contains("`file`"));
         assert!(fails("scenes = [{ file = \"a\", light = 3 }]").contains("`light`"));
         assert!(fails("scenes = [{ file = \"a\", as = \"vxt\" }]").contains("not as \"vxt\""));
-        assert!(fails("sweep = [\"x\"]").contains('x'));
+        assert!(fails("sweep = [\"x\"]").starts_with("`sweep`: \"x\" is not"));
+        assert!(fails("voxels = true").starts_with("`voxels`: "));
+        assert!(fails("size = \"8\"").starts_with("`size`: \"8\" is not"));
+        assert!(fails("time_limit = \"soon\"").starts_with("`time_limit`: \"soon\" is not"));
+        // As the options have it: nothing would be measured, or for ever.
+        assert!(fails("frames = 0").contains("`frames` is no whole number from 1 to 1000000"));
+        assert!(
+            fails("warm_up = 1000000").contains("`warm_up`") && fails("max_bounces = 2000").contains("`max_bounces`")
+        );
         assert!(fails("precise = 1").contains("`precise`"));
         assert!(fails("integrator = \"fast\"").contains("neither essay nor path"));
         assert!(fails("instances = 0").contains("`instances`"));
         assert!(fails("scene = \"Church\"\nshader_file = \"Fancy\"").contains("Fancy"));
         assert!(fails("scene = \"../Church\"\nbenchmark_frames = 4").contains("beside"));
         assert!(fails("scene = \"Church\"\nbenchmark_frames = 0").contains("benchmark_frames"));
-        assert!(!fails("scenes = [").is_empty());
+        assert!(fails("frames = 3\nscenes = [\"a\"\n").starts_with("line "));
+        assert!(fails("frames = 3\nscenes\n").starts_with("line 2: "));
     }
 }

@@ -7,10 +7,12 @@ use super::plot;
 use super::table::{Table, escape};
 use super::tables;
 use crate::measure::host;
+use crate::quantity::counted;
 use crate::results::verdict::{self, Verdict};
 use crate::results::{Figures, Results, Row, SceneFacts};
 use std::fmt::Write;
 use std::path::Path;
+use voxtrace::Integrator;
 
 const STYLE: &str = "\
 :root{color-scheme:light dark;--bg:#fff;--ink:#1f2328;--soft:#57606a;--line:#d0d7de;--card:#f6f8fa;--good:#1a7f37;--bad:#cf222e}
@@ -30,13 +32,13 @@ th,td{padding:5px 10px;text-align:left;border-bottom:1px solid var(--line);white
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td:last-child{white-space:normal;min-width:7em}.probes td:last-child{min-width:24em}dl{margin:8px 0;display:grid;gap:4px 32px;grid-template-columns:repeat(auto-fit,minmax(min(100%,420px),1fr))}dt{font-weight:600;margin-top:8px}dd{margin:0;max-width:75ch}
 ";
 
-/// What the words of the page mean.
+/// What the words of the page mean; `RAYS` stands for how many a path has.
 const WORDS: [(&str, &str); 6] = [
     ("Voxel", "a small cube of one colour; a scene is made of millions of them, as a picture is made of pixels."),
     (
         "Path tracing",
         "light is followed backwards from the eye, ray by ray, through a few bounces off surfaces. Each frame sends one path \
-         through every pixel, here of up to four rays; frames are added up to a picture without noise.",
+         through every pixel, here of up to RAYS; frames are added up to a picture without noise.",
     ),
     (
         "GPU time",
@@ -120,8 +122,14 @@ fn words(results: &Results) -> String {
         if plan.cells.len() == 1 { "one way".into() } else { format!("{} ways", plan.cells.len()) },
         plan.frames,
     );
+    let rays = counted(u64::from(plan.max_bounces) + 1, "ray");
+    let rays = match plan.integrator {
+        Integrator::Essay => rays,
+        Integrator::Path => format!("{rays}, those towards lights aside"),
+    };
     for (word, meaning) in WORDS {
-        let _ = writeln!(html, "<div><dt>{}</dt><dd>{}</dd></div>", escape(word), escape(meaning));
+        let meaning = meaning.replace("RAYS", &rays);
+        let _ = writeln!(html, "<div><dt>{}</dt><dd>{}</dd></div>", escape(word), escape(&meaning));
     }
     html + "</dl>\n"
 }

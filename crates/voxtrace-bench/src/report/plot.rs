@@ -81,8 +81,13 @@ impl Axis {
     fn ticks(&self) -> Vec<f64> {
         let inside = |value: &f64| *value >= self.low && *value <= self.high;
         if self.is_log {
+            let digits: &[f64] = match self.high / self.low {
+                wide if wide > 300.0 => &[1.0],
+                wide if wide > 5.0 => &[1.0, 2.0, 5.0],
+                // An axis around a single value has one of these at least.
+                _ => &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
+            };
             let decades = (self.low.log10().floor() as i32)..=(self.high.log10().ceil() as i32);
-            let digits: &[f64] = if self.high / self.low > 300.0 { &[1.0] } else { &[1.0, 2.0, 5.0] };
             let all = decades.flat_map(|decade| digits.iter().map(move |digit| digit * 10f64.powi(decade)));
             return all.filter(inside).collect();
         }
@@ -284,5 +289,11 @@ mod tests {
         assert_eq!(axis.ticks().len(), 6);
         let wide = Axis::new([0.1, 5000.0].into_iter(), true, 0.0, 1.0);
         assert!(wide.ticks().iter().all(|tick| tick.log10().fract().abs() < 1e-9));
+        for one in [1.3e6, 3e6, 4.5e6, 9.9e6] {
+            assert!(
+                !Axis::new([one].into_iter(), true, 0.0, 1.0).ticks().is_empty(),
+                "an axis without a number: {one}"
+            );
+        }
     }
 }

@@ -4,9 +4,10 @@ use super::Results;
 use super::facts::{Emulation, Figures, SceneFacts};
 use super::origin::Origin;
 use super::row::{Row, SweepRow};
-use crate::measure::{Conformance, Measured, Memory, Processor, Walked};
+use crate::measure::{Conformance, Measured, Memory, Processor, Walked, host};
 use crate::numbers::{FrameLine, read_csv};
 use crate::plan::{self, Cell};
+use crate::reason::reason;
 use serde_json::Value;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -39,7 +40,7 @@ impl ResumeError {
     fn text(&self) -> String {
         let path = self.path.display();
         match &self.kind {
-            ResumeErrorKind::Io(error) => format!("cannot read {path}: {error}"),
+            ResumeErrorKind::Io(error) => format!("cannot read {path}: {}", reason(error)),
             ResumeErrorKind::Damaged(what) => format!("{path} is damaged: {what}"),
             ResumeErrorKind::OtherBenchmark(differing) => {
                 format!("{path} is of another benchmark: {} differ", differing.join(", "))
@@ -64,7 +65,11 @@ fn fill(folder: &Path, path: &Path, results: &mut Results) -> Result<(), ResumeE
     };
     let damaged = |what: &str| ResumeErrorKind::Damaged(what.to_owned());
     let json: Value = serde_json::from_str(&text).map_err(|error| damaged(&error.to_string()))?;
-    let differing = differences(&json, &results.conditions());
+    let mut differing = differences(&json, &results.conditions());
+    // What a device does needs none of it.
+    if results.plan.cells.iter().any(|&cell| results.is_on_processor(cell)) {
+        differing.extend(other_processor(&json["host"], &host()));
+    }
     if !differing.is_empty() {
         return Err(ResumeErrorKind::OtherBenchmark(differing));
     }
@@ -103,6 +108,12 @@ fn differences(theirs: &Value, ours: &Value) -> Vec<String> {
     differing
 }
 
+/// What differs of what cells on the processor are traced with.
+fn other_processor(theirs: &Value, ours: &Value) -> Vec<String> {
+    let names = ["processor", "threads", "simd"].into_iter().filter(|name| theirs[name] != ours[name]);
+    names.map(|name| format!("{name} ({}, now {})", theirs[name], ours[name])).collect()
+}
+
 fn text(json: &Value) -> Option<String> {
     json.as_str().map(str::to_owned)
 }
@@ -129,7 +140,7 @@ fn row(json: &Value, scenes: &[SceneFacts], folder: &Path) -> Result<Row, String
     let name = json["cell"].as_str().unwrap_or("a cell");
     let frames = |file: &Value| -> Result<Vec<FrameLine>, String> {
         let Some(file) = file.as_str() else { return Ok(Vec::new()) };
-        let text = std::fs::read_to_string(folder.join(file)).map_err(|error| format!("{file}: {error}"))?;
+        let text = std::fs::read_to_string(folder.join(file)).map_err(|error| format!("{file}: {}", reason(&error)))?;
         read_csv(&text).map_err(|error| format!("{file}: {error}"))
     };
     let strings = json["notes"].as_array().map(|notes| notes.iter().filter_map(text).collect());

@@ -13,6 +13,7 @@ use crate::report::ReportFolder;
 use crate::results::{self, Origin, Results, Row, SceneFacts, verdict};
 use eta::Eta;
 use std::sync::Arc;
+use voxtrace::scenes::SceneError;
 use voxtrace::{Camera, Frame, PackedScene, scenes};
 use voxtrace_vulkan::{Device, DeviceKind, Primitive};
 
@@ -26,6 +27,8 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
     let named = request.named_cells().map_err(BenchError::from)?;
     let device = device(request, host)?;
     let info = device.as_ref().map(|device| device.info().clone());
+    check_sizes(request, &request.plan(named.clone(), info.as_ref()))?;
+    let folder = ReportFolder::new(&request.output)?;
     let mut request = request.clone();
     let mut first = None;
     if request.chooses_size(&named, info.as_ref()) {
@@ -41,7 +44,6 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
     }
     let request = &request;
     let mut results = Results::new(request.plan(named, info.as_ref()), info, Origin::now(request));
-    let folder = ReportFolder::new(&request.output)?;
     if request.resume {
         results::load(&request.output, &mut results).map_err(BenchError::from)?;
     }
@@ -61,6 +63,18 @@ pub fn run<H: Host>(request: &Request, host: &mut H) -> Result<Results, H::Error
     folder.write_results(&results)?;
     folder.write_page(&results)?;
     outcome.map(|()| results)
+}
+
+/// Refuses numbers of voxels that no built-in scene has, rather than when all that comes before is measured.
+fn check_sizes(request: &Request, plan: &Plan) -> Result<(), BenchError> {
+    let is_sized = |entry: &SceneEntry| scenes::STUDY_NAMES.contains(&entry.name.as_str());
+    let own = plan.voxels.filter(|_| request.entries().iter().any(is_sized));
+    let swept = plan.sweep.iter().copied().filter(|_| !plan.sweep_scenes().is_empty());
+    let mut impossible = own.into_iter().chain(swept);
+    match impossible.find(|count| !(scenes::MIN_VOXELS..=scenes::MAX_VOXELS).contains(count)) {
+        Some(count) => Err(SceneError::VoxelCount(count).into()),
+        None => Ok(()),
+    }
 }
 
 /// The device to measure. Without one, and without being asked for one, the CPU is measured alone.

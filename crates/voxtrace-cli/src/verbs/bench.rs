@@ -21,7 +21,7 @@ use crate::verbs::convert::{Target, export_failure};
 use crate::views::PlaceArgs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use voxtrace::import::{Content, ImportOptions, opened};
+use voxtrace::import::{Content, ImportError, ImportErrorKind, ImportOptions, opened};
 use voxtrace::{Camera, TraceError, export, scenes};
 use voxtrace_bench::quantity::QuantityError;
 use voxtrace_bench::shell::quoted;
@@ -67,7 +67,7 @@ pub struct BenchArgs {
     /// Warm-up frames, not measured [default: 20]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=100_000))]
     warm_up: Option<u32>,
-    /// Time limit for the frames of each cell [default: none on a GPU, 60s in software; with --quick 4s]
+    /// Time limit for the frames of each cell [default: none on a GPU, 60s in software, 20s on the CPU beside a GPU; with --quick 4s]
     #[arg(long, value_name = "TIME", value_parser = parse::duration)]
     time_limit: Option<Duration>,
     /// About a minute in all
@@ -80,13 +80,13 @@ pub struct BenchArgs {
     #[arg(long)]
     resume: bool,
     /// Sizes of the built-in scenes for frame time and memory against voxels; `none` skips them [default: 500k to
-    /// 16M, with --quick none]
+    /// 16M, in software to 4M, with --quick none]
     #[arg(long, value_name = "N,…", value_delimiter = ',', value_parser = sweep_size)]
     sweep: Option<Vec<u64>>,
-    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all, with :fast or :precise behind it; cpu:INSTRUCTIONS or cpu:all [default: pipeline:voxel-exact,pipeline:voxel-approx]
+    /// What to measure: TRAVERSAL, TRAVERSAL:PRIMITIVE or TRAVERSAL:all, with :fast or :precise behind it; cpu:INSTRUCTIONS or cpu:all [default: pipeline:voxel-exact,pipeline:voxel-approx; without a GPU cpu]
     #[arg(long, value_name = "CELL", value_delimiter = ',')]
     cells: Vec<String>,
-    /// Size of the picture [default: 1980x1080; with --quick on a device in software 495x270]
+    /// Size of the picture [default: 1980x1080; with --quick on the CPU one that is quick enough, on a device in software 495x270]
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     size: Option<Size>,
     /// How light is computed [default: essay]
@@ -147,6 +147,7 @@ impl BenchArgs {
             request.follow(PlanFile::open(path).map_err(BenchError::from)?);
         }
         self.check_folder(&request)?;
+        self.check_files(&request)?;
         let is_forest = |entry: &SceneEntry| entry.name == scenes::FOREST;
         if request.instances.is_some() && !request.scenes.iter().any(is_forest) {
             let hint = "name it: voxtrace bench forest --instances 10000";
@@ -154,7 +155,7 @@ impl BenchArgs {
                 Failure::usage("--instances is for the built-in scene forest, which is not measured").hint(hint)
             );
         }
-        self.instances = request.instances;
+        (self.instances, self.size) = (request.instances, request.size);
         if let Some(program) = &self.against {
             return against::run(program, self.rounds.unwrap_or(against::ROUNDS), &self, &request, report);
         }
@@ -181,6 +182,24 @@ impl BenchArgs {
         if self.folder.is_none() && !self.force && is_foreign {
             let message = format!("the folder {} is there already, and no benchmark is in it", self.output.display());
             return Err(Failure::new(Kind::Output, message).hint("name the folder with -o, or say --force"));
+        }
+        Ok(())
+    }
+
+    /// Refuses scenes that are not there and cameras that cannot be read now, rather than when the scenes before them are measured.
+    fn check_files(&self, request: &Request) -> Result<(), Failure> {
+        // What a benchmark that goes on has measured needs its files no more.
+        if self.resume {
+            return Ok(());
+        }
+        let cameras = || request.scenes.iter().filter_map(|entry| entry.camera.as_ref());
+        for camera in self.camera_file.as_ref().map_or_else(|| cameras().collect(), |one| vec![one]) {
+            camera_file::open(camera)?;
+        }
+        for entry in request.scenes.iter().filter(|entry| !scenes::NAMES.contains(&entry.name.as_str())) {
+            let path = Path::new(&entry.name);
+            let missing = |error| import_failure(&ImportError::of_file(path, ImportErrorKind::Io(error)));
+            std::fs::metadata(path).map_err(missing)?;
         }
         Ok(())
     }
@@ -307,7 +326,7 @@ impl From<BenchError> for Failure {
             BenchError::Plan(_) => {
                 Self::input(text).hint("docs/command-line.md has an example; config.toml of FastVoxels is read too")
             }
-            BenchError::Cell(_) => Self::usage(text),
+            BenchError::Cell(_) | BenchError::Scene(_) => Self::usage(text),
             BenchError::Trace(error) => trace_failure(error),
             BenchError::Resume(error) => match error.kind {
                 ResumeErrorKind::OtherBenchmark(_) => {

@@ -60,6 +60,9 @@ impl DoctorArgs {
             Err(error) => return Err(trace_failure(error)),
         };
         let info = device.info().clone();
+        if let Some(folder) = &self.output {
+            std::fs::create_dir_all(folder).map_err(|error| Failure::output(folder, &error))?;
+        }
         report.remark(&format!("probing {}, driver {}", info.name, info.driver));
         let mut done = 0;
         report.begin_work("probing", 19);
@@ -80,18 +83,20 @@ impl DoctorArgs {
             None => report.warn("the result is not remembered: there is no cache folder"),
             Some(Ok(())) => {}
         }
-        self.output.as_ref().map_or(Ok(()), |folder| write(folder, &probed))
+        self.output.as_ref().map_or(Ok(()), |folder| self.write(folder, &probed))
     }
-}
 
-fn write(folder: &Path, probed: &ProbeReport) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::output(folder, &error))?;
-    let json = format!("{:#}\n", probes_json(probed));
-    for (extension, text) in [("json", json), ("md", probes_markdown(probed))] {
-        let path = folder.join(format!("{}.{extension}", probed.file_stem()));
-        let write = |out: &mut BufWriter<std::fs::File>| out.write_all(text.as_bytes());
-        outputs::write(&path, write)?;
-        crate::stdout::print(&format!("{}\n", path.display()));
+    fn write(&self, folder: &Path, probed: &ProbeReport) -> Result<(), Failure> {
+        let json = format!("{:#}\n", probes_json(probed));
+        for (extension, text) in [("json", json), ("md", probes_markdown(probed))] {
+            let path = folder.join(format!("{}.{extension}", probed.file_stem()));
+            let write = |out: &mut BufWriter<std::fs::File>| out.write_all(text.as_bytes());
+            outputs::write(&path, write)?;
+            // Behind an object they would make the output no JSON.
+            if !self.json {
+                crate::stdout::print(&format!("{}\n", path.display()));
+            }
+        }
+        Ok(())
     }
-    Ok(())
 }

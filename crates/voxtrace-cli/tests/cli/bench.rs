@@ -279,6 +279,12 @@ fn a_finished_benchmark_is_not_measured_again_and_damage_is_noticed() {
     let (results, _) = run(&folder, &["--cells", "cpu", "--resume"]);
     assert_eq!(results["complete"], true);
     assert_eq!(folder.bytes("report/1-room-cpu.csv"), csv);
+    // With other threads it is another machine, as far as times of the CPU go.
+    let threads = results["host"]["threads"].as_u64().unwrap();
+    let other = (threads % 1024 + 1).to_string();
+    let more = ["--cells", "cpu", "--resume", "--threads", &other];
+    let refused = folder.fail(&[&["bench", "room.vxt"], &SMALL[..], &more].concat(), 5);
+    assert!(refused.contains(&format!("threads ({threads}, now {other}) differ")), "{refused}");
     // Planted: a line of the CSV is gone.
     let text = String::from_utf8(csv).unwrap();
     std::fs::write(folder.path("report/1-room-cpu.csv"), text.lines().take(5).collect::<Vec<_>>().join("\n")).unwrap();

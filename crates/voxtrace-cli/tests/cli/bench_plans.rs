@@ -20,6 +20,8 @@ fn the_integrator_path_is_measured_by_option_and_plan_and_not_compared_with_the_
     assert!(text("report/report.md").contains("integrator path, at most 8 bounces"));
     assert!(text("report/report.md").contains("The integrator is path, not the study's essay"));
     assert!(text("report/frame-time-1-room.svg").contains("frame time over frames, path"));
+    assert!(text("essay/report.html").contains("here of up to 4 rays; frames"));
+    assert!(text("report/report.html").contains("here of up to 9 rays, those towards lights aside; frames"));
     let compared = folder.succeed(&["compare", "essay", "report"]);
     assert!(compared.contains("integrator (\"essay\", \"path\")"), "{compared}");
     assert!(compared.contains(", integrator essay, ") && compared.contains(", integrator path, "), "{compared}");
@@ -118,4 +120,47 @@ fn a_plan_of_the_study_s_program_measures_its_scene_with_its_camera_and_light() 
     assert_eq!(read("c/results.json")["cells"][0]["cell"], "pipeline:voxel-exact");
     write("wrong.toml", "frame = 5");
     assert!(folder.fail(&["bench", "--plan", "wrong.toml"], 3).contains("`frame`"));
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused_before_anything_is() {
+    let folder = Folder::new();
+    let write = |name: &str, text: &str| std::fs::write(folder.path(name), text).unwrap();
+    write("plan.toml", "scenes = [\"room.vxt\", { file = \"room.vox\", camera = \"gone.toml\" }]");
+    write("sweep.toml", "scenes = [\"room.vxt\", \"city\"]\nsweep = [10]");
+    for (arguments, code, said) in [
+        (&["city", "--voxels", "20k", "--sweep", "2k,10"][..], 2, "a scene of 10 voxels: from 1000 to"),
+        (&["room.vxt", "city", "--voxels", "10"], 2, "a scene of 10 voxels"),
+        (&["room.vxt", "gone.vxt"], 3, "cannot read gone.vxt: "),
+        (&["room.vxt", "--camera-file", "gone.toml"], 3, "gone.toml"),
+        (&["--plan", "plan.toml"], 3, "gone.toml"),
+        (&["--plan", "sweep.toml"], 2, "a scene of 10 voxels"),
+    ] {
+        let line = folder.fail(&[&["bench", "--cells", "cpu"], arguments, &SMALL[..]].concat(), code);
+        assert!(line.contains(said), "{line}");
+        assert!(!folder.exists("report"), "something was measured: {arguments:?}");
+    }
+}
+
+#[test]
+fn a_camera_is_framed_for_the_size_that_the_plan_says() {
+    let folder = Folder::new();
+    let mut scene = crate::common::room();
+    scene.cameras.clear();
+    voxtrace::export::vox::write(&folder.path("bare.vox"), &scene).unwrap();
+    std::fs::write(folder.path("plan.toml"), "size = \"24x32\"").unwrap();
+    let hash = |size: [&str; 2], name: &str| {
+        let options = ["--cells", "cpu", "--frames", "1", "--warm-up", "0", "--fov", "40", "-o", name];
+        folder.succeed(&[&["bench", "bare.vox"], &size[..], &options].concat());
+        let results: Value = serde_json::from_slice(&folder.bytes(&format!("{name}/results.json"))).unwrap();
+        results["scenes"][0]["content_hash"].clone()
+    };
+    assert_eq!(hash(["--plan", "plan.toml"], "planned"), hash(["--size", "24x32"], "asked"));
+}
+
+#[test]
+fn a_time_limit_of_ages_is_one_that_is_never_reached() {
+    let folder = Folder::new();
+    let (results, _) = run(&folder, &["--cells", "cpu", "--time-limit", "5000000000000000h"]);
+    assert_eq!(results["cells"][0]["frames"], 9);
 }

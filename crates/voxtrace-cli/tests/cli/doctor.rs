@@ -80,6 +80,29 @@ fn without_a_driver_the_doctor_says_what_to_install_and_the_cpu_traces() {
     assert!(succeed(command).contains("Nothing to probe"));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_variable_that_hides_the_drivers_and_manifests_that_are_none_are_told() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new();
+    let told = |files: &std::ffi::OsStr, arguments: &[&str]| {
+        let mut command = doctor(&folder, arguments);
+        // Older loaders know the second name alone.
+        command.env("VK_DRIVER_FILES", files).env("VK_ICD_FILENAMES", files).env_remove("VK_ADD_DRIVER_FILES");
+        succeed(command)
+    };
+    let nothing = told("".as_ref(), &[]);
+    assert!(nothing.contains("- VK_DRIVER_FILES is set: ") && !nothing.contains("\ndriver "), "{nothing}");
+    let gone = told("/nowhere/driver".as_ref(), &[]);
+    assert!(gone.contains("driver   /nowhere/driver: ?, but no such file or directory"), "{gone}");
+    std::fs::write(folder.path("cut.json"), "{").unwrap();
+    let cut = told(folder.path("cut.json").as_os_str(), &[]);
+    assert!(cut.contains("cut.json cannot be used: it is no JSON"), "{cut}");
+    // A name that is no Unicode.
+    let odd = json(&told(std::ffi::OsStr::from_bytes(b"/nowhere/\xff.json"), &["--json"]));
+    assert!(odd["vulkan"]["drivers"][0]["manifest"].as_str().unwrap().starts_with("/nowhere/"), "{odd}");
+}
+
 #[test]
 fn the_probes_print_a_table_write_files_and_are_remembered() {
     let folder = Folder::new();
@@ -109,7 +132,9 @@ fn the_probes_print_a_table_write_files_and_are_remembered() {
     std::fs::write(&cached(&folder)[0], "rubbish").unwrap();
     let text = succeed(doctor(&folder, &[]));
     assert!(text.contains("is ignored: it is no report"), "{text}");
-    let again = json(&succeed(doctor(&folder, &[&["--rt", "--json"], &device[..]].concat())));
+    // What is printed is the object alone, also where files are written.
+    let again = json(&succeed(doctor(&folder, &[&["--rt", "--json", "-o", "again"], &device[..]].concat())));
+    assert_eq!(std::fs::read_dir(folder.path("again")).unwrap().count(), 2);
     assert_eq!(again["probes"].as_array().unwrap().len(), 19);
     assert!(again["verdict"].as_str().unwrap().len() > 10);
 }

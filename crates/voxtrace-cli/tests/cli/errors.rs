@@ -161,7 +161,8 @@ fn results_that_a_full_disk_loses_have_code_4_and_a_reader_that_went_away_has_no
     use crate::common::stderr;
     let folder = Folder::new();
     let plan = ["plan", "room.vox", "--parts", "2", "-o", "a.png", "--spp", "4"];
-    for arguments in [&plan[..], &["info", "room.vox", "--json"], &["formats"]] {
+    let asked = [&["--help"][..], &["help", "bench"], &["--version"]];
+    for arguments in [&plan[..], &["info", "room.vox", "--json"], &["formats"]].into_iter().chain(asked) {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = folder.command(arguments).stdout(full).output().unwrap();
         let text = stderr(&output);

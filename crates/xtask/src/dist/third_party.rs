@@ -9,6 +9,9 @@ use std::path::Path;
 pub fn metadata(target: &str) -> Result<Value, String> {
     let arguments = ["metadata", "--locked", "--format-version", "1", "--filter-platform", target];
     let output = super::cargo().args(arguments).output().map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        return Err(format!("cargo metadata: {}", String::from_utf8_lossy(&output.stderr).trim()));
+    }
     serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata: {error}"))
 }
 

@@ -65,8 +65,13 @@ fn words(typed: impl Iterator<Item = OsString>) -> [Vec<OsString>; 2] {
             continue;
         }
         let text = word.to_string_lossy();
+        // `-qo OUT` is `-q -o OUT`.
+        let text = match text.strip_prefix("-q") {
+            Some(rest) if !rest.is_empty() => format!("-{rest}"),
+            _ => text.into_owned(),
+        };
         if !are_names {
-            let name = text.split_once('=').map_or(&*text, |(name, _)| name);
+            let name = text.split_once('=').map_or(text.as_str(), |(name, _)| name);
             let glued = |own: &str| own.len() == 2 && text.starts_with(own) && text.len() > 2;
             if let Some((_, takes)) = OWN.iter().find(|(own, takes)| name == *own || *takes && glued(own)) {
                 is_value = *takes && OWN.iter().any(|(own, _)| text == *own);
@@ -117,6 +122,7 @@ mod tests {
         let typed =
             "--progress json bench --against=x -oout --output=b --frames 9 --time-limit=3s --force --plan p.toml";
         assert_eq!(told(typed), ["bench", "--plan p.toml"]);
+        assert_eq!(told("bench -qo out a.vox --against x -qob"), ["bench", "a.vox"]);
         let typed = "bench --against x --integrator path -- --frames bench";
         assert_eq!(told(typed), ["bench", "--integrator path -- --frames bench"]);
     }
