@@ -42,6 +42,20 @@ def test_arrays_are_read_where_they_lie(random):
             assert (voxtrace.VoxelGrid.from_numpy(view[:, :, ::-1]).to_numpy() != view).any(), "a fault is seen"
 
 
+def test_arrays_of_other_machines_and_fields_of_records_are_read_as_they_are(random):
+    labels = random.integers(0, 1000, (6, 7, 8))
+    for dtype in [">u2", ">i4", ">i8", "<i4"]:
+        assert (voxtrace.VoxelGrid.from_numpy(labels.astype(dtype)).to_numpy() == labels).all(), dtype
+        # Behind a byte: neither aligned nor at strides of whole numbers.
+        records = numpy.zeros(labels.shape, [("flag", "u1"), ("label", dtype)])
+        records["label"] = labels
+        for view in [records["label"], records["label"][::-1, :, ::2]]:
+            assert (voxtrace.VoxelGrid.from_numpy(view).to_numpy() == view).all(), dtype
+    records = numpy.zeros(labels.shape, [("flag", "u1"), ("value", "<f4")])
+    records["value"] = labels
+    assert (voxtrace.Volume.from_array(records["value"]).to_numpy() == labels).all()
+
+
 def test_a_label_has_its_place_and_its_material():
     labels = numpy.zeros((5, 6, 7), "uint8")
     labels[1, 2, 3] = 2
@@ -99,6 +113,23 @@ def test_bools_of_any_bytes_are_occupancy(random):
 def test_what_cannot_be_is_refused_in_one_sentence(array, palette, says):
     with pytest.raises(ValueError, match=says):
         voxtrace.VoxelGrid.from_numpy(array, palette)
+
+
+def test_bytes_are_no_linear_colours():
+    labels = numpy.ones((1, 1, 1), "uint8")
+    for palette in [numpy.array([[0, 0, 0], [255, 128, 0]]), [(0, 0, 0), (255, 128, 0)], [(0, 0, 0), (0, 0, -0.5)]]:
+        with pytest.raises(ValueError, match="uint8"):
+            voxtrace.VoxelGrid.from_numpy(labels, palette)
+    for make in [lambda: voxtrace.TransferFunction([(1, (255, 0, 0))]), lambda: voxtrace.TransferFunction.labels({1: (255, 0, 0)})]:
+        with pytest.raises(ValueError, match=r"in \[0, 1\]"):
+            make()
+
+
+def test_origins_are_whole_numbers():
+    labels = numpy.ones((1, 1, 1), "uint8")
+    assert voxtrace.VoxelGrid.from_numpy(labels, origin=numpy.array([-3.0, 4.0, 5.0])).origin == [-3, 4, 5]
+    with pytest.raises(ValueError, match="whole"):
+        voxtrace.VoxelGrid.from_numpy(labels, origin=(-0.5, 0, 0))
 
 
 def test_files_keep_grids(tmp_path, random):

@@ -6,6 +6,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 
@@ -125,6 +126,63 @@ def test_a_cluster_gives_the_bytes_of_one_process(client, church):
         dask.render(client, church, "nobody", **options)
 
 
+def test_what_of_a_scene_is_shown_goes_along(client, tmp_path):
+    from voxtrace import dask
+
+    scene = voxtrace.builtin("church", voxels=20_000)
+    low, high = scene.bounds
+    options = {"samples": 4, "size": (48, 27), "device": "cpu"}
+    whole = voxtrace.render(scene, **options)
+    scene.clip = low, [(a + b) / 2 for a, b in zip(low, high)]
+    alone = voxtrace.render(scene, **options)
+    assert (alone.sums != whole.sums).any()
+    image = dask.render(client, scene, **options)
+    assert image.to_bytes() == alone.to_bytes() and (image.radiance == alone.radiance).all()
+    (frame,) = dask.animate(client, scene, [scene.cameras[0]], tmp_path / "a_#.png", **options)
+    voxtrace.render(scene, scene.cameras[0], **options).save(tmp_path / "alone.png")
+    assert frame.read_bytes() == (tmp_path / "alone.png").read_bytes()
+    scene.clip = None
+    assert dask.render(client, scene, **options).to_bytes() == whole.to_bytes()
+
+
+def test_workers_of_several_threads_make_one_part_after_the_other(church, tmp_path):
+    from voxtrace import dask
+
+    options = {"samples": 32, "size": (160, 90), "device": "cpu", "denoise": False}
+    alone = voxtrace.render(church, **options)
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=4, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            assert dask.render(client, church, parts=16, retries=0, **options).to_bytes() == alone.to_bytes()
+            files = dask.animate(client, church, [church.cameras[0]] * 8, tmp_path / "a_#.vxf", retries=0, **options)
+    assert voxtrace.Image.from_bytes(files[0].read_bytes()).to_bytes() == voxtrace.render(church, church.cameras[0], **options).to_bytes()
+
+
+def test_workers_of_another_version_make_nothing(client, church, monkeypatch):
+    from voxtrace import dask
+    from voxtrace.dask import _sharing
+
+    monkeypatch.setattr(_sharing, "__version__", "0.0.1")
+    with pytest.raises(RuntimeError, match="who asks has 0.0.1"):
+        dask.render(client, church, samples=1, size=(8, 8), device="cpu", retries=0)
+
+
+def test_scenes_stay_a_day_on_the_disk_of_a_worker(church, tmp_path, monkeypatch):
+    from voxtrace.dask import _sharing
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    data, other = church.to_bytes(), voxtrace.builtin("city", voxels=20_000).to_bytes()
+    for key, bytes_of_scene in [("old", data), ("kept", data)]:
+        assert _sharing._unpacked(bytes_of_scene, key).voxels == church.voxels
+    (folder,) = tmp_path.iterdir()
+    yesterday = time.time() - 1.5 * _sharing.KEPT
+    for name in ["old.vxt", "kept.vxt"]:
+        os.utime(folder / name, (yesterday, yesterday))
+    # It is wanted again, and not sent anew.
+    assert _sharing._unpacked(b"", "kept").voxels == church.voxels
+    _sharing._unpacked(other, "new")
+    assert sorted(file.name for file in folder.iterdir()) == ["kept.vxt", "new.vxt"]
+
+
 def test_the_command_line_renders_by_a_cluster(client, tmp_path, command_line, monkeypatch):
     monkeypatch.setenv("VOXTRACE_PYTHON", sys.executable)
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join(sys.path))
@@ -212,6 +270,26 @@ def test_a_worker_that_stands_still_with_what_it_made_holds_nobody_up(client):
         with contextlib.suppress(ProcessLookupError):
             os.kill(paused, signal.SIGCONT)
     assert made == {part: part for part in range(8)}
+
+
+def test_parts_that_take_long_are_not_begun_again_and_again(client, monkeypatch):
+    from voxtrace.dask import _sharing
+
+    monkeypatch.setattr(_sharing, "FIRST_PATIENCE", 0.3)
+    begun = []
+
+    def slow(part: int) -> tuple[str, int]:
+        time.sleep(6)
+        return _sharing.address_of_worker(), part
+
+    def submit(parts, workers):
+        begun.append(parts)
+        return {client.submit(slow, part, pure=False): part for part in parts}
+
+    made = {}
+    _sharing.gathered(client, submit, [0], made.__setitem__, None, least_patience=0.1)
+    # After 0.3, 0.9, 2.1 and 4.5 s.
+    assert made == {0: 0} and 2 <= len(begun) <= 6, begun
 
 
 def test_what_a_part_raises_is_raised(client):

@@ -1,6 +1,8 @@
 """Rays, moving and editing, threads that share scenes, files that cannot be read."""
 
 import os
+import subprocess
+import sys
 import threading
 from collections.abc import Callable
 
@@ -137,6 +139,76 @@ def test_voxels_that_cannot_be_set_leave_the_others(last, material, grid, says):
     assert editor.get((0, 0, 9)) is editor.get((0, 0, 10)) is None and editor.voxels == 80
     assert editor.undo() and editor.voxels == 64 and not editor.undo(), "no step was begun"
     assert editor.redo() and editor.voxels == 80
+
+
+def test_voxels_are_whole_numbers_and_none_is_taken_for_another():
+    editor = labelled(numpy.ones((4, 4, 4), "uint8"))
+    for wrong in [[[0.5, 0, 0]], [[-0.25, 0, 0]], [[float("nan"), 0, 0]], [[float("inf"), 0, 0]]]:
+        with pytest.raises(ValueError, match="whole"):
+            editor.set(wrong, None)
+    # What is beyond 32 bits is no voxel, least of all the one that its lowest bits name.
+    assert editor.set(numpy.array([[2**32 + 1, 0, 0], [-(2**40), 1, 1]]), None) == 0 and editor.voxels == 64
+    with pytest.raises(voxtrace.VoxtraceError, match="out of range"):
+        editor.set(numpy.array([[2**32 + 1, 0, 9]]), 0)
+    assert editor.get((1, 0, 9)) is None and not editor.undo()
+    assert editor.set(numpy.array([[1.0, 2.0, 3.0]]), None) == -1
+
+
+def test_there_is_nothing_with_a_number_below_0():
+    scene = labelled(numpy.ones((4, 4, 4), "uint8")).scene()
+    volume = voxtrace.Volume.from_array(numpy.ones((2, 3, 4)))
+    for ask in [
+        lambda: scene.place(-1, numpy.eye(4)),
+        lambda: scene.add_copy(-1, numpy.eye(4)),
+        lambda: scene.grid(-1),
+        lambda: scene.set_material(-1, voxtrace.Material()),
+        lambda: volume[0, 0, -1],
+        lambda: volume[2, 0, 0],
+    ]:
+        with pytest.raises(IndexError):
+            ask()
+
+
+def test_arrays_of_other_shapes_are_refused():
+    renderer = voxtrace.Renderer(voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(numpy.ones((4, 4, 4), "uint8"))), device="cpu")
+    for wrong in [lambda: renderer.cast([0, 0, 9], [0, 0, -1]), lambda: labelled(numpy.ones((1, 1, 1), "uint8")).set([0, 0, 0], None)]:
+        with pytest.raises(ValueError, match="2 axes"):
+            wrong()
+    with pytest.raises(ValueError, match="3 axes"):
+        voxtrace.Renderer(voxtrace.builtin("city", voxels=20_000), device="cpu", placeable=True).place(numpy.eye(4))
+    # Fields of packed records: their strides are no multiples of their numbers.
+    rays = numpy.zeros(9, [("flag", "u1"), ("origin", "<f4", 3), ("direction", "<f4", 3)])
+    rays["origin"], rays["direction"] = [1.5, 2.5, 9], [0, 0, -1]
+    rays["origin"][:, 2] += numpy.arange(9)
+    assert renderer.cast(rays["origin"], rays["direction"])["t"].tolist() == [5 + number for number in range(9)]
+
+
+def test_a_process_that_was_forked_says_so_and_does_not_hang():
+    if not hasattr(os, "fork"):
+        pytest.skip("this system does not fork")
+    script = """if True:
+        import numpy, os, voxtrace
+        def work():
+            grid = voxtrace.VoxelGrid.from_numpy(numpy.ones((40, 40, 40), "uint8"))
+            return voxtrace.render(voxtrace.Scene(grid), samples=1, size=(16, 9), device="cpu", progress=False)
+        def child():
+            for attempt in [work, lambda: voxtrace.builtin("city", voxels=20_000)]:
+                try:
+                    attempt()
+                except RuntimeError as error:
+                    assert "spawn" in str(error)
+                else:
+                    return 1
+            return 0
+        # A child of one that has only been loaded works.
+        for first in [True, False]:
+            process = os.fork()
+            if process == 0:
+                os._exit((work() is None) if first else child())
+            assert os.waitstatus_to_exitcode(os.waitpid(process, 0)[1]) == 0, first
+            work()
+    """
+    subprocess.run([sys.executable, "-c", script], check=True, timeout=120)
 
 
 def down(renderer: voxtrace.Renderer) -> float:

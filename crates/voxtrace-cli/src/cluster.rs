@@ -60,6 +60,9 @@ impl ClusterTracer {
             [frame.first_sample, frame.samples, region.x0, region.y0, region.x1, region.y1].map(|n| n.to_string()),
         );
         command.arg(&out).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        // Ctrl-C in a terminal is for this program, which ends that one: it would say that it failed.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let child = command.spawn().map_err(|error| self.no_python(&error))?;
         let pixels = region.pixels() as u64 * u64::from(frame.samples);
         if !self.wait(child, pixels, progress)? {
@@ -85,7 +88,8 @@ impl ClusterTracer {
             let _ = lines.map_while(Result::ok).try_for_each(|line| sender.send(line));
         });
         let mut told = 0;
-        loop {
+        // The program says more often than there is a tick how far it is: whether it is to stop is asked each time.
+        while !progress.is_cancelled() {
             match receiver.recv_timeout(TICK) {
                 Ok(line) => {
                     let done = (line.parse().unwrap_or(0.0_f64) * samples as f64) as u64;
@@ -93,13 +97,13 @@ impl ClusterTracer {
                     told = told.max(done);
                 }
                 Err(RecvTimeoutError::Disconnected) => break,
-                Err(RecvTimeoutError::Timeout) if progress.is_cancelled() => {
-                    let _ = child.kill();
-                    let _ = child.wait();
-                    return Ok(false);
-                }
                 Err(RecvTimeoutError::Timeout) => {}
             }
+        }
+        if progress.is_cancelled() {
+            let _ = child.kill();
+            let _ = child.wait();
+            return Ok(false);
         }
         let status = child.wait().map_err(failed)?;
         if status.success() {

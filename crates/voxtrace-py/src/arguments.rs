@@ -1,10 +1,13 @@
 //! Arguments as people write them: three numbers in anything that has three, colours as pickers show them or linear, matrices.
 
 use crate::errors::argument;
+use numpy::ndarray::{ArrayView, Dimension};
+use numpy::{Element, PyArray, PyArrayMethods, PyReadonlyArray, dtype};
+use pyo3::exceptions::{PyIndexError, PyOverflowError};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 use voxtrace::Transform;
-use voxtrace::glam::{DVec3, Mat3, Vec3};
+use voxtrace::glam::{DVec3, IVec3, Mat3, Vec3};
 use voxtrace::material::linear_color;
 
 /// Three finite numbers, of a tuple, a list or an array.
@@ -24,6 +27,27 @@ impl<'py> FromPyObject<'_, 'py> for Three {
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         let numbers = numbers::<3>(&object)?;
         Ok(Self(DVec3::from_array(numbers)))
+    }
+}
+
+/// The voxel that numbers name, the nearest there can be where they are larger; `None` where they are not whole.
+pub fn whole(numbers: DVec3) -> Option<IVec3> {
+    let rounded = numbers.round();
+    (rounded - numbers).abs().cmple(DVec3::splat(1e-9)).all().then(|| rounded.as_ivec3())
+}
+
+/// The number of something that there may not be, from 0 on.
+#[derive(Clone, Copy)]
+pub struct Index(pub usize);
+
+impl<'py> FromPyObject<'_, 'py> for Index {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        object.extract().map(Self).map_err(|error: PyErr| match error.is_instance_of::<PyOverflowError>(object.py()) {
+            true => PyIndexError::new_err(format!("{} is the number of nothing: they begin at 0", *object)),
+            false => error,
+        })
     }
 }
 
@@ -48,6 +72,34 @@ pub fn numbers<const N: usize>(object: &Bound<'_, PyAny>) -> PyResult<[f64; N]> 
     if count == N { Ok(numbers) } else { Err(wrong()) }
 }
 
+/// Numbers in anything that numpy takes, as an array of this type and of so many axes.
+pub struct Numbers<'py, T: Element, D: Dimension>(PyReadonlyArray<'py, T, D>);
+
+impl<T: Element, D: Dimension> Numbers<'_, T, D> {
+    pub fn as_array(&self) -> ArrayView<'_, T, D> {
+        self.0.as_array()
+    }
+}
+
+impl<'py, T: Element + 'py, D: Dimension + 'py> FromPyObject<'_, 'py> for Numbers<'py, T, D> {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let array = readable(&object, dtype::<T>(object.py()).as_any())?;
+        let Ok(found) = array.cast::<PyArray<T, D>>() else {
+            let axes = D::NDIM.map_or(String::new(), |axes| format!("{axes} axes"));
+            return Err(argument(format!("an array of {axes} is wanted, not of shape {}", array.getattr("shape")?)));
+        };
+        Ok(Self(found.readonly()))
+    }
+}
+
+/// An array of a type of numpy, that array itself where it is one and lies as Rust reads it. Numbers that are not aligned, as those are that a packed record has
+/// behind a byte, are copied.
+pub fn readable<'py>(object: &Bound<'py, PyAny>, kind: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    object.py().import("numpy")?.call_method1("require", (object, kind, "A"))
+}
+
 /// A colour: `"#rrggbb"` as pickers show it (sRGB), or three linear numbers.
 #[derive(Clone, Copy)]
 pub struct Color(pub Vec3);
@@ -62,6 +114,20 @@ impl<'py> FromPyObject<'_, 'py> for Color {
         let value = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
         let value = value.ok_or_else(|| argument(format!("{text:?} is no colour like \"#d8c7a0\"")))?;
         Ok(Self(linear_color([(value >> 16) as u8, (value >> 8) as u8, value as u8])))
+    }
+}
+
+impl Color {
+    /// As the share of the light that comes back.
+    pub fn reflectance(self) -> PyResult<Vec3> {
+        if self.0.min_element() >= 0.0 && self.0.max_element() <= 1.0 {
+            return Ok(self.0);
+        }
+        let text = format!(
+            "channels of a colour are in [0, 1], not {}: bytes of sRGB are \"#d8c7a0\", or a palette of type uint8",
+            self.0
+        );
+        Err(argument(text))
     }
 }
 

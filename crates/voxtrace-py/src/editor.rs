@@ -1,10 +1,11 @@
 //! `Editor`: voxels of a scene are changed while it is traced.
 
-use crate::arguments::Three;
+use crate::arguments::{Numbers, Three, whole};
 use crate::errors::{argument, other};
+use crate::forks::detach;
 use crate::material::PyMaterial;
 use crate::scene::PyScene;
-use numpy::{AllowTypeChange, PyArrayLike2};
+use numpy::ndarray::Ix2;
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
@@ -88,17 +89,17 @@ impl Edited {
 
 impl PyEditor {
     /// Works with the scene once no other thread does, without the interpreter's lock.
-    fn with<T: Send>(&self, py: Python<'_>, work: impl FnOnce(&mut Edited) -> T + Send) -> T {
-        py.detach(|| work(&mut self.edited.lock().unwrap_or_else(PoisonError::into_inner)))
+    fn with<T: Send>(&self, py: Python<'_>, work: impl FnOnce(&mut Edited) -> T + Send) -> PyResult<T> {
+        detach(py, || work(&mut self.edited.lock().unwrap_or_else(PoisonError::into_inner)))
     }
 
     fn edit(&self, py: Python<'_>, grid: u32, edit: &Edit) -> PyResult<i64> {
-        let edited = self.with(py, |edited| edited.scene.edit(grid, edit));
+        let edited = self.with(py, |edited| edited.scene.edit(grid, edit))?;
         edited.map(|edited| edited.voxels).map_err(|error| other(py, error))
     }
 
     /// The scene for a renderer that is to follow, and how many patches were taken by then. Who follows now still does.
-    pub fn begin(&self, py: Python<'_>) -> (Arc<PackedScene>, u64) {
+    pub fn begin(&self, py: Python<'_>) -> PyResult<(Arc<PackedScene>, u64)> {
         self.with(py, |edited| {
             edited.take();
             (edited.packed(), edited.taken)
@@ -106,7 +107,7 @@ impl PyEditor {
     }
 
     /// From now on the renderer follows that began when so many patches were taken. Returns the scene where it was changed since.
-    pub fn lead(&self, py: Python<'_>, follower: &Arc<Follower>, taken: u64) -> Option<Arc<PackedScene>> {
+    pub fn lead(&self, py: Python<'_>, follower: &Arc<Follower>, taken: u64) -> PyResult<Option<Arc<PackedScene>>> {
         self.with(py, |edited| {
             edited.take();
             edited.patches.clear();
@@ -116,7 +117,12 @@ impl PyEditor {
     }
 
     /// Brings the scene of a renderer up to date. Returns the patches that it lacked, `None`, with nothing changed, where it is not the one that follows.
-    pub fn follow(&self, py: Python<'_>, follower: &Arc<Follower>, scene: &mut Arc<PackedScene>) -> Option<Vec<Patch>> {
+    pub fn follow(
+        &self,
+        py: Python<'_>,
+        follower: &Arc<Follower>,
+        scene: &mut Arc<PackedScene>,
+    ) -> PyResult<Option<Vec<Patch>>> {
         self.with(py, |edited| {
             if !edited.follower.ptr_eq(&Arc::downgrade(follower)) {
                 return None;
@@ -137,7 +143,7 @@ impl PyEditor {
     #[new]
     fn new(py: Python<'_>, scene: &PyScene) -> PyResult<Self> {
         let packed = scene.packed(py, true)?;
-        let scene = py.detach(|| DynamicScene::new((*packed).clone()));
+        let scene = detach(py, || DynamicScene::new((*packed).clone()))?;
         let mut scene = scene.map_err(|error| other(py, error))?;
         scene.set_undo_limit(UNDO_BYTES);
         Ok(Self { edited: Mutex::new(Edited { scene, patches: Vec::new(), taken: 0, follower: Weak::new() }) })
@@ -188,19 +194,14 @@ impl PyEditor {
     /// Voxels, shape `(N, 3)`, become a material, `None` for empty: all of them, in one step of undo, or none where it raises. Returns how many voxels there
     /// are more.
     #[pyo3(signature = (voxels, material, *, grid=0))]
-    fn set(
-        &self,
-        py: Python<'_>,
-        voxels: PyArrayLike2<'_, i32, AllowTypeChange>,
-        material: Option<u16>,
-        grid: u32,
-    ) -> PyResult<i64> {
+    fn set(&self, py: Python<'_>, voxels: Numbers<'_, f64, Ix2>, material: Option<u16>, grid: u32) -> PyResult<i64> {
         let voxels = voxels.as_array();
         if voxels.ncols() != 3 {
             return Err(argument("voxels have shape (N, 3)"));
         }
-        let voxels = voxels.outer_iter().map(|voxel| IVec3::new(voxel[0], voxel[1], voxel[2]));
-        let voxels: Vec<IVec3> = voxels.collect();
+        let voxels = voxels.outer_iter().map(|voxel| whole(DVec3::new(voxel[0], voxel[1], voxel[2])));
+        let voxels: Option<Vec<IVec3>> = voxels.collect();
+        let voxels = voxels.ok_or_else(|| argument("voxels are whole numbers"))?;
         let limit = IVec3::splat(MAX_COORDINATE);
         let is_outside = |voxel: &&IVec3| voxel.cmplt(-limit).any() || voxel.cmpgt(limit).any();
         if let Some(&voxel) = voxels.iter().find(is_outside).filter(|_| material.is_some()) {
@@ -212,13 +213,13 @@ impl PyEditor {
             let change = edited.set(grid, &voxels, material);
             edited.scene.set_undo_limit(UNDO_BYTES);
             change
-        })
+        })?
         .map_err(|error| other(py, error))
     }
 
     /// Adds a material. Returns its index.
     fn add_material(&self, py: Python<'_>, material: PyMaterial) -> PyResult<u16> {
-        self.with(py, |edited| edited.scene.add_material(&material.0)).map_err(|error| other(py, error))
+        self.with(py, |edited| edited.scene.add_material(&material.0))?.map_err(|error| other(py, error))
     }
 
     /// Index of the material of a voxel, `None` where it is empty.
@@ -230,30 +231,30 @@ impl PyEditor {
 
     /// Takes the last edit back. Returns whether there was one.
     fn undo(&self, py: Python<'_>) -> PyResult<bool> {
-        let undone = self.with(py, |edited| edited.scene.undo());
+        let undone = self.with(py, |edited| edited.scene.undo())?;
         undone.map(|edited| edited.is_some()).map_err(|error| other(py, error))
     }
 
     /// Does again what was undone last. Returns whether there was something.
     fn redo(&self, py: Python<'_>) -> PyResult<bool> {
-        let redone = self.with(py, |edited| edited.scene.redo());
+        let redone = self.with(py, |edited| edited.scene.redo())?;
         redone.map(|edited| edited.is_some()).map_err(|error| other(py, error))
     }
 
     /// Voxels stored, each grid once.
     #[getter]
-    fn voxels(&self, py: Python<'_>) -> u64 {
+    fn voxels(&self, py: Python<'_>) -> PyResult<u64> {
         self.with(py, |edited| edited.scene.scene().statistics().voxels)
     }
 
     /// The scene as it is now.
-    fn scene(&self, py: Python<'_>) -> PyScene {
-        PyScene::of_packed(Arc::new(self.with(py, |edited| edited.scene.compact())))
+    fn scene(&self, py: Python<'_>) -> PyResult<PyScene> {
+        Ok(PyScene::of_packed(Arc::new(self.with(py, |edited| edited.scene.compact())?)))
     }
 
-    fn __repr__(&self, py: Python<'_>) -> String {
-        let name = self.with(py, |edited| edited.scene.scene().name.clone());
-        format!("<Editor of {name:?}: {} voxels>", self.voxels(py))
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let name = self.with(py, |edited| edited.scene.scene().name.clone())?;
+        Ok(format!("<Editor of {name:?}: {} voxels>", self.voxels(py)?))
     }
 }
 
@@ -262,11 +263,9 @@ fn positive(radius: f64) -> PyResult<f64> {
 }
 
 fn box_of(low: Three, high: Three) -> PyResult<VoxelBox> {
-    let whole = |three: Three| {
-        let rounded = three.0.round();
-        let fits = rounded.abs().max_element() < f64::from(i32::MAX)
-            && (rounded - three.0).abs().cmple(DVec3::splat(1e-9)).all();
-        if fits { Ok(rounded.as_ivec3()) } else { Err(argument("corners are whole numbers")) }
+    let corner = |three: Three| {
+        let fits = three.0.abs().max_element() < f64::from(i32::MAX);
+        whole(three.0).filter(|_| fits).ok_or_else(|| argument("corners are whole numbers"))
     };
-    Ok(VoxelBox { min: whole(low)?, max: whole(high)? })
+    Ok(VoxelBox { min: corner(low)?, max: corner(high)? })
 }

@@ -1,7 +1,8 @@
 //! `VoxelGrid`: voxels from arrays and back, exactly.
 
-use crate::arguments::{Color, Three};
+use crate::arguments::{Color, Three, readable, whole};
 use crate::errors::argument;
+use crate::forks::detach;
 use crate::material::PyMaterial;
 use numpy::ndarray::{ArrayD, ArrayViewD, Axis, Ix3, Ix4, IxDyn};
 use numpy::{
@@ -63,7 +64,7 @@ impl PyVoxelGrid {
     ///   rounded to 7, 6 or 5 bits a channel.
     ///
     /// `palette`: a list of `Material`, or an array of colours, shape `(N, 3)`: uint8 is sRGB, floats are linear. `origin`: the voxel of element
-    /// `[0, 0, 0]`. The array is read where it lies, whatever its strides.
+    /// `[0, 0, 0]`. The array is read where it lies, whatever its strides; one of another byte order, or a field of packed records, is copied.
     ///
     /// Raises `ValueError` for other shapes, types and labels, and for a palette that lacks a label.
     #[staticmethod]
@@ -74,7 +75,8 @@ impl PyVoxelGrid {
         palette: Option<&Bound<'_, PyAny>>,
         origin: Option<Three>,
     ) -> PyResult<Self> {
-        let origin = origin.map_or(IVec3::ZERO, |origin| origin.0.as_ivec3());
+        let origin = origin.map_or(Some(IVec3::ZERO), |origin| whole(origin.0));
+        let origin = origin.ok_or_else(|| argument("an origin is of whole numbers"))?;
         let palette = palette.map(materials_of).transpose()?;
         let untyped = array.cast::<PyUntypedArray>().map_err(|_| argument("an array of numpy is wanted"))?;
         let shape = untyped.shape().to_vec();
@@ -88,13 +90,15 @@ impl PyVoxelGrid {
             }
         };
         let extent = extent_of(origin, size)?;
+        let kind = untyped.dtype().call_method1("newbyteorder", ("=",))?;
+        let array = &readable(array, &kind)?;
         let made = if channels > 0 {
             let colors = readonly::<u8>(array).ok_or_else(|| argument("colours are of type uint8"))?;
             if palette.is_some() {
                 return Err(argument("colours need no palette"));
             }
             let view = colors.as_array();
-            py.detach(|| of_colors(&view, extent))
+            detach(py, || of_colors(&view, extent))?
         } else {
             labels(py, array, extent, palette)
         };
@@ -184,7 +188,7 @@ impl PyVoxelGrid {
         values.try_reserve_exact(length).map_err(|_| pyo3::exceptions::PyMemoryError::new_err(()))?;
         values.resize(length, T::default());
         let plane = size[1] * size[2] * N;
-        py.detach(|| {
+        detach(py, || {
             let mut bricks = self.grid.sorted_bricks();
             bricks.par_sort_unstable_by_key(|(coordinates, _)| coordinates.x);
             // Slabs of an array with x first: those that a layer of bricks along x has share no element with those of another.
@@ -211,7 +215,7 @@ impl PyVoxelGrid {
                     }
                 }
             });
-        });
+        })?;
         let shape: Vec<usize> = size.iter().chain(channels).copied().collect();
         let array = ArrayD::from_shape_vec(IxDyn(&shape), values).map_err(argument)?;
         Ok(array.into_pyarray(py).into_any())
@@ -254,7 +258,7 @@ pub fn materials_of(palette: &Bound<'_, PyAny>) -> PyResult<Vec<Material>> {
         let color = item.extract::<Color>()?.0;
         Ok(match is_bytes {
             true => Material::diffuse(linear_color(color.to_array().map(|channel| channel as u8))),
-            false => Material::diffuse(color),
+            false => Material::diffuse(Color(color).reflectance()?),
         })
     };
     let materials: Vec<Material> = palette.try_iter()?.map(material).collect::<PyResult<_>>()?;
@@ -273,7 +277,7 @@ fn labels(
 ) -> PyResult<(VoxelGrid, Vec<Material>)> {
     if let Some(occupied) = bytes_of_bools(array)? {
         let view = occupied.as_array();
-        let grid = py.detach(|| of_labels(&view, extent, |&byte| Some(u16::from(byte != 0))));
+        let grid = detach(py, || of_labels(&view, extent, |&byte| Some(u16::from(byte != 0))))?;
         let material = palette.and_then(|palette| palette.first().copied()).unwrap_or_default();
         return Ok((grid?.0, vec![material]));
     }
@@ -281,7 +285,7 @@ fn labels(
         ($($type:ty),*) => {
             $(if let Some(values) = readonly::<$type>(array) {
                 let view = values.as_array();
-                let (grid, highest) = py.detach(|| of_labels(&view, extent, |&label| u16::try_from(label).ok()))?;
+                let (grid, highest) = detach(py, || of_labels(&view, extent, |&label| u16::try_from(label).ok()))??;
                 return Ok((grid, label_materials(highest, palette)?));
             })*
         };

@@ -1,6 +1,7 @@
 //! `Image`: a rendered picture as arrays and files.
 
 use crate::errors::{argument, of_film, of_writing, other};
+use crate::forks::detach;
 use crate::scene::PyScene;
 use numpy::ndarray::Array;
 use numpy::{IntoPyArray, PyArray2, PyArray3};
@@ -124,9 +125,11 @@ impl PyImage {
         &self,
         py: Python<'py>,
         dtype: Option<Bound<'py, PyAny>>,
-        copy: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let _ = copy;
+        if copy == Some(false) {
+            return Err(argument("the array of a picture is always made anew: it cannot be had with copy=False"));
+        }
         let array = self.to_srgb(py, 0.0, "agx")?.into_any();
         match dtype {
             Some(dtype) => array.call_method1("astype", (dtype,)),
@@ -141,7 +144,7 @@ impl PyImage {
     #[pyo3(signature = (path, *, exposure=0.0, tone_map="agx"))]
     fn save(&self, py: Python<'_>, path: PathBuf, exposure: f32, tone_map: &str) -> PyResult<()> {
         let picture = self.picture.clone().tone_map(tone_of(exposure, tone_map)?);
-        py.detach(|| picture.save(&path)).map_err(|error| match error {
+        detach(py, || picture.save(&path))?.map_err(|error| match error {
             RenderError::Io { path, error } => of_writing(&path, &error),
             error => argument(error),
         })
@@ -191,7 +194,7 @@ impl PyImage {
         }
         first.film.earlier = earlier;
         let device = images[0].device.clone();
-        Ok(py.detach(|| Self::new(Picture::of_film(first), device)))
+        detach(py, || Self::new(Picture::of_film(first), device))
     }
 
     /// The same picture without its noise; `scene` is that which was rendered. `filter`: `"voxtrace"`, as `render` does it, or `"oidn"`, Intel's Open Image Denoise,
@@ -209,11 +212,11 @@ impl PyImage {
             return Err(argument("the picture is of another scene"));
         }
         if filter == "voxtrace" {
-            let picture = py.detach(|| Picture::of_film(file).without_noise(&packed));
+            let picture = detach(py, || Picture::of_film(file).without_noise(&packed))?;
             return Ok(Self::new(picture, self.device.clone()));
         }
         let oidn = open_oidn(py)?;
-        let made = py.detach(|| {
+        let made = detach(py, || {
             let features = Features::of(&packed, &file.frame, &file.film).pixels;
             let color: Vec<Vec3> = file.film.pixels.iter().map(Pixel::mean).collect();
             let albedo: Vec<Vec3> = features.iter().map(|pixel| pixel.albedo).collect();
@@ -221,13 +224,13 @@ impl PyImage {
             let (height, width) = self.size();
             let radiance = oidn.denoise(width, height, &color, &albedo, &normal)?;
             Ok(Picture::of_film(file).denoised_as(Denoised { radiance, filter: "oidn" }))
-        });
+        })?;
         let picture = made.map_err(|error: OidnError| other(py, error))?;
         Ok(Self::new(picture, self.device.clone()))
     }
 
-    fn _repr_png_<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &py.detach(|| self.picture.to_png()))
+    fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        Ok(PyBytes::new(py, &detach(py, || self.picture.to_png())?))
     }
 
     fn __repr__(&self) -> String {

@@ -1,5 +1,6 @@
 //! Long work that Ctrl-C ends: it runs on a thread of its own, without the interpreter's lock, while this one looks for signals.
 
+use crate::forks::detach;
 use pyo3::prelude::*;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -16,7 +17,7 @@ pub fn run<T: Send>(
     tick: impl Fn(Python<'_>) -> PyResult<()> + Sync,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
-    py.detach(|| {
+    detach(py, || {
         thread::scope(|scope| {
             let (sender, receiver) = channel();
             scope.spawn(move || {
@@ -40,5 +41,5 @@ pub fn run<T: Send>(
             }
             Err(interrupted.unwrap_or_else(|| pyo3::exceptions::PyRuntimeError::new_err("a fault of voxtrace")))
         })
-    })
+    })?
 }

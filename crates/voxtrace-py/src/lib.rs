@@ -5,6 +5,7 @@ mod arguments;
 mod camera;
 mod editor;
 mod errors;
+mod forks;
 mod found;
 mod grid;
 mod image;

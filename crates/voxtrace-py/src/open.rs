@@ -82,7 +82,7 @@ pub fn open_volume(
     read(py, || import::read_volume(&path, &options)).map(PyVolume)
 }
 
-/// A built-in scene: `"church"`, `"operating-room"`, `"city"`, `"forest"`, `"glass"`, of about so many voxels, or of so many instances (forest).
+/// A built-in scene: `"church"`, `"operating-room"`, `"city"`, `"forest"`, of about so many voxels, or of so many instances (forest).
 ///
 /// Raises `ValueError` for another name or size.
 #[pyfunction]

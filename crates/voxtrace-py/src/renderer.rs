@@ -1,14 +1,15 @@
 //! `Renderer`: a tracer with a scene, for many pictures and rays.
 
-use crate::arguments::transform_of;
+use crate::arguments::{Numbers, transform_of};
 use crate::camera::PyCamera;
 use crate::editor::{Follower, PyEditor};
 use crate::errors::{argument, of_tracing, other};
+use crate::forks::detach;
 use crate::found::Found;
 use crate::image::PyImage;
 use crate::interrupt::run;
 use crate::scene::PyScene;
-use numpy::{AllowTypeChange, PyArrayLike2, PyArrayLike3, PyArrayLikeDyn};
+use numpy::ndarray::{Ix2, Ix3, IxDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -70,14 +71,14 @@ impl PyRenderer {
         };
         let editor = scene.cast::<PyEditor>().ok().map(Bound::get);
         let (packed, taken) = match editor {
-            Some(editor) => editor.begin(py),
+            Some(editor) => editor.begin(py)?,
             None => (scene.cast::<PyScene>()?.try_borrow()?.packed(py, placeable)?, 0),
         };
         let packed = lit(packed);
         let opened = run(py, || (), |_| Ok(()), || choose_for(&request, &packed))?;
         let Choice { tracer, reason, .. } = opened.map_err(|error| of_tracing(py, &error))?;
         let follower = Arc::new(Follower);
-        let changed = editor.and_then(|editor| editor.lead(py, &follower, taken)).map(lit);
+        let changed = editor.map(|editor| editor.lead(py, &follower, taken)).transpose()?.flatten().map(lit);
         Ok(Self {
             tracer: Mutex::new(tracer),
             is_stale: changed.is_some(),
@@ -116,7 +117,7 @@ impl PyRenderer {
         region: Option<[u32; 4]>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<PyImage> {
-        let camera = self.camera(camera, size)?;
+        let camera = self.camera(py, camera, size)?;
         if samples == 0 {
             return Err(argument("a picture has at least one sample"));
         }
@@ -176,9 +177,9 @@ impl PyRenderer {
     fn cast<'py>(
         &mut self,
         py: Python<'py>,
-        origins: PyArrayLike2<'py, f32, AllowTypeChange>,
-        directions: PyArrayLike2<'py, f32, AllowTypeChange>,
-        t_max: Option<PyArrayLikeDyn<'py, f32, AllowTypeChange>>,
+        origins: Numbers<'py, f32, Ix2>,
+        directions: Numbers<'py, f32, Ix2>,
+        t_max: Option<Numbers<'py, f32, IxDyn>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let (origins, directions) = (origins.as_array(), directions.as_array());
         let t_max: Option<Vec<f32>> = t_max.as_ref().map(|t_max| t_max.as_array().iter().copied().collect());
@@ -211,7 +212,7 @@ impl PyRenderer {
     /// Puts instances elsewhere: `transforms` of shape `(N, 4, 4)`, in the order of the visible instances of the scene. The geometry stays on the device.
     ///
     /// Raises `ValueError` for another number of them, for those that shear, and where the renderer was not made with `placeable=True`.
-    fn place(&mut self, py: Python<'_>, transforms: PyArrayLike3<'_, f64, AllowTypeChange>) -> PyResult<()> {
+    fn place(&mut self, py: Python<'_>, transforms: Numbers<'_, f64, Ix3>) -> PyResult<()> {
         let transforms = transforms.as_array();
         let instances = self.scene.instances();
         if !self.is_placeable {
@@ -230,7 +231,7 @@ impl PyRenderer {
         self.give_scene(py)?;
         let tracer = exclusive(&mut self.tracer);
         self.is_stale = true;
-        py.detach(|| tracer.set_placement(&placement)).map_err(|error| of_tracing(py, &error))?;
+        detach(py, || tracer.set_placement(&placement))?.map_err(|error| of_tracing(py, &error))?;
         (self.scene, self.is_stale) = (moved, false);
         Ok(())
     }
@@ -240,12 +241,12 @@ impl PyRenderer {
     /// Raises `ValueError` where it was made of something else, or another one was made of the editor since; nothing has changed then. Raises `DeviceError` where
     /// the device fails; the edits are followed all the same, and the device gets the whole scene when it is next needed.
     fn follow(&mut self, py: Python<'_>, editor: &PyEditor) -> PyResult<()> {
-        let patches = editor.follow(py, &self.follower, &mut self.scene).ok_or_else(|| {
+        let patches = editor.follow(py, &self.follower, &mut self.scene)?.ok_or_else(|| {
             argument("the renderer was not made of this editor, or another one follows it: make it anew")
         })?;
         if !std::mem::replace(&mut self.is_stale, true) {
             let tracer = exclusive(&mut self.tracer);
-            let followed = py.detach(|| patches.iter().try_for_each(|patch| tracer.patch(patch)));
+            let followed = detach(py, || patches.iter().try_for_each(|patch| tracer.patch(patch)))?;
             followed.map_err(|error| of_tracing(py, &error))?;
             self.is_stale = false;
         }
@@ -254,9 +255,12 @@ impl PyRenderer {
 
     /// The camera that looks when none is given.
     #[pyo3(signature = (size=(1280, 720)), text_signature = "($self, size=(1280, 720))")]
-    fn default_camera(&self, size: (u32, u32)) -> PyCamera {
+    fn default_camera(&self, py: Python<'_>, size: (u32, u32)) -> PyResult<PyCamera> {
         let aspect = size.0 as f32 / size.1.max(1) as f32;
-        PyCamera(self.scene.cameras.first().cloned().unwrap_or_else(|| self.scene.portrait(aspect)))
+        match self.scene.cameras.first() {
+            Some(camera) => Ok(PyCamera(camera.clone())),
+            None => detach(py, || PyCamera(self.scene.portrait(aspect))),
+        }
     }
 
     fn __repr__(&self) -> String {
@@ -310,8 +314,8 @@ impl PyRenderer {
         Ok(PyImage::new(picture, self.device.clone() + &remarks.collect::<String>()))
     }
 
-    fn camera(&self, camera: Option<&Bound<'_, PyAny>>, size: (u32, u32)) -> PyResult<Camera> {
-        let Some(camera) = camera else { return Ok(self.default_camera(size).0) };
+    fn camera(&self, py: Python<'_>, camera: Option<&Bound<'_, PyAny>>, size: (u32, u32)) -> PyResult<Camera> {
+        let Some(camera) = camera else { return Ok(self.default_camera(py, size)?.0) };
         if let Ok(camera) = camera.extract::<PyCamera>() {
             return Ok(camera.0);
         }

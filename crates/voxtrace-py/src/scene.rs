@@ -1,8 +1,9 @@
 //! `Scene` and `Instance`.
 
-use crate::arguments::{Matrix, Three, rows_of};
+use crate::arguments::{Index, Matrix, Three, rows_of};
 use crate::camera::PyCamera;
 use crate::errors::{argument, of_packed, of_writing, other};
+use crate::forks::{self, detach};
 use crate::grid::PyVoxelGrid;
 use crate::interrupt::run;
 use crate::material::PyMaterial;
@@ -87,22 +88,23 @@ impl PyScene {
     }
 
     /// The scene to be changed; what was packed is packed anew when it is next needed.
-    fn changing(&mut self) -> &mut Scene {
+    fn changing(&mut self) -> PyResult<&mut Scene> {
         self.packed = Default::default();
         if let Held::Packed(packed) = &self.content {
+            forks::check()?;
             self.content = Held::Scene(Box::new(packed.to_scene()));
         }
         match &mut self.content {
-            Held::Scene(scene) => scene,
+            Held::Scene(scene) => Ok(scene),
             Held::Packed(_) => unreachable!("it was unpacked"),
         }
     }
 
     /// The scene as it can be read.
-    fn looked_at<T>(&self, of_scene: impl FnOnce(&Scene) -> T) -> T {
+    fn looked_at<T>(&self, of_scene: impl FnOnce(&Scene) -> T) -> PyResult<T> {
         match &self.content {
-            Held::Scene(scene) => of_scene(scene),
-            Held::Packed(packed) => of_scene(&packed.to_scene()),
+            Held::Scene(scene) => Ok(of_scene(scene)),
+            Held::Packed(packed) => forks::check().map(|()| of_scene(&packed.to_scene())),
         }
     }
 
@@ -156,7 +158,7 @@ impl PyScene {
     /// Raises `ValueError` for a transform that shears and for more than 65,535 materials.
     #[pyo3(signature = (grid, transform=None, *, name=""))]
     fn add(&mut self, grid: PyRef<'_, PyVoxelGrid>, transform: Option<Matrix>, name: &str) -> PyResult<usize> {
-        let scene = self.changing();
+        let scene = self.changing()?;
         let first = scene.materials.len();
         if first + grid.materials.len() > MAX_MATERIALS {
             return Err(argument(format!("more than {MAX_MATERIALS} materials")));
@@ -182,8 +184,9 @@ impl PyScene {
     ///
     /// Raises `IndexError` where there is no such instance, `ValueError` for a transform that shears.
     #[pyo3(signature = (instance, transform, *, name=""))]
-    fn add_copy(&mut self, instance: usize, transform: Matrix, name: &str) -> PyResult<usize> {
-        let scene = self.changing();
+    fn add_copy(&mut self, instance: Index, transform: Matrix, name: &str) -> PyResult<usize> {
+        let Index(instance) = instance;
+        let scene = self.changing()?;
         let of = scene.instances.get(instance).ok_or_else(|| no_instance(instance, scene.instances.len()))?;
         let copy = Instance { name: name.into(), ..Instance::new(of.grid, transform.0) };
         scene.instances.push(copy);
@@ -193,8 +196,9 @@ impl PyScene {
     /// Puts an instance elsewhere. For a frame after another, `Renderer.place` is quicker.
     ///
     /// Raises `IndexError` where there is no such instance, `ValueError` for a transform that shears.
-    fn place(&mut self, instance: usize, transform: Matrix) -> PyResult<()> {
-        let scene = self.changing();
+    fn place(&mut self, instance: Index, transform: Matrix) -> PyResult<()> {
+        let Index(instance) = instance;
+        let scene = self.changing()?;
         let count = scene.instances.len();
         let instance = scene.instances.get_mut(instance).ok_or_else(|| no_instance(instance, count))?;
         instance.world_from_grid = transform.0;
@@ -203,7 +207,7 @@ impl PyScene {
 
     /// The placed grids.
     #[getter]
-    fn instances(&self) -> Vec<PyInstance> {
+    fn instances(&self) -> PyResult<Vec<PyInstance>> {
         self.looked_at(|scene| {
             let layer = |instance: &Instance| Some(scene.layers.get(instance.layer?)?.name.clone());
             let instance = |instance: &Instance| PyInstance {
@@ -220,27 +224,29 @@ impl PyScene {
     /// The voxels of a grid, with the materials of the scene.
     ///
     /// Raises `IndexError` where there is no such grid.
-    fn grid(&self, index: usize) -> PyResult<PyVoxelGrid> {
+    fn grid(&self, index: Index) -> PyResult<PyVoxelGrid> {
+        let Index(index) = index;
         self.looked_at(|scene| {
             let grid = scene.grids.get(index).cloned();
             let grid = grid.map(|grid| PyVoxelGrid::new(grid, scene.materials.clone()));
             grid.ok_or_else(|| {
                 PyIndexError::new_err(format!("there is no grid {index}: the scene has {}", scene.grids.len()))
             })
-        })
+        })?
     }
 
     /// Materials; voxels refer to them by index.
     #[getter]
-    fn materials(&self) -> Vec<PyMaterial> {
+    fn materials(&self) -> PyResult<Vec<PyMaterial>> {
         self.looked_at(|scene| scene.materials.iter().map(|material| PyMaterial(*material)).collect())
     }
 
     /// Replaces a material.
     ///
     /// Raises `IndexError` where there is no such material.
-    fn set_material(&mut self, index: usize, material: PyMaterial) -> PyResult<()> {
-        let scene = self.changing();
+    fn set_material(&mut self, index: Index, material: PyMaterial) -> PyResult<()> {
+        let Index(index) = index;
+        let scene = self.changing()?;
         let count = scene.materials.len();
         let no_material = || PyIndexError::new_err(format!("there is no material {index}: the scene has {count}"));
         *scene.materials.get_mut(index).ok_or_else(no_material)? = material.0;
@@ -257,8 +263,9 @@ impl PyScene {
     }
 
     #[setter]
-    fn set_sky(&mut self, sky: PySky) {
-        self.changing().sky = sky.0;
+    fn set_sky(&mut self, sky: PySky) -> PyResult<()> {
+        self.changing()?.sky = sky.0;
+        Ok(())
     }
 
     /// Factor on every material's emission.
@@ -275,7 +282,7 @@ impl PyScene {
         if !(intensity >= 0.0 && intensity.is_finite()) {
             return Err(argument("light_intensity is ≥ 0"));
         }
-        self.changing().light_intensity = intensity;
+        self.changing()?.light_intensity = intensity;
         Ok(())
     }
 
@@ -290,8 +297,9 @@ impl PyScene {
     }
 
     #[setter]
-    fn set_cameras(&mut self, cameras: Vec<PyCamera>) {
-        self.changing().cameras = cameras.into_iter().map(|camera| camera.0).collect();
+    fn set_cameras(&mut self, cameras: Vec<PyCamera>) -> PyResult<()> {
+        self.changing()?.cameras = cameras.into_iter().map(|camera| camera.0).collect();
+        Ok(())
     }
 
     /// What of it is shown: the lowest and the highest corner of a box, world units; `None` where it is all. What the box cuts open is shown filled, and what is
@@ -355,7 +363,7 @@ impl PyScene {
     /// `voxel_size`, `content_hash`.
     fn info<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let packed = self.packed(py, false)?;
-        let statistics = py.detach(|| packed.statistics());
+        let statistics = detach(py, || packed.statistics())?;
         let bytes = PyDict::new(py);
         for (kind, count) in statistics.bytes {
             bytes.set_item(kind, count)?;
@@ -386,7 +394,7 @@ impl PyScene {
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
         if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vxt")) {
             let packed = self.packed(py, false)?;
-            let saved = py.detach(|| packed.save(&path));
+            let saved = detach(py, || packed.save(&path))?;
             return saved.map(|()| Vec::new()).map_err(|error| match error.kind {
                 FileErrorKind::Io(cause) => of_writing(&path, &cause),
                 kind => argument(format!("{}: {kind}", path.display())),
@@ -395,8 +403,8 @@ impl PyScene {
         let writer = writer_of(&path)
             .ok_or_else(|| argument(format!("{}: no format that scenes are written in", path.display())))?;
         let written = match &self.content {
-            Held::Scene(scene) => py.detach(|| writer.write(&path, scene)),
-            Held::Packed(packed) => py.detach(|| writer.write(&path, &packed.to_scene())),
+            Held::Scene(scene) => detach(py, || writer.write(&path, scene))?,
+            Held::Packed(packed) => detach(py, || writer.write(&path, &packed.to_scene()))?,
         };
         written.map_err(|error| match error {
             ExportError::Io { path, error } => of_writing(&path, &error),
@@ -408,7 +416,7 @@ impl PyScene {
     #[pyo3(name = "to_bytes")]
     fn packed_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let packed = self.packed(py, false)?;
-        Ok(PyBytes::new(py, &py.detach(|| packed.to_bytes())))
+        Ok(PyBytes::new(py, &detach(py, || packed.to_bytes())?))
     }
 
     /// The scene of the bytes of a `.vxt` file.
@@ -416,7 +424,7 @@ impl PyScene {
     /// Raises `ReadError` where they are none.
     #[staticmethod]
     fn from_bytes(py: Python<'_>, scene: &[u8]) -> PyResult<Self> {
-        let packed = py.detach(|| PackedScene::from_bytes(scene)).map_err(|error| of_packed(py, error))?;
+        let packed = detach(py, || PackedScene::from_bytes(scene))?.map_err(|error| of_packed(py, error))?;
         Ok(Self::of_packed(Arc::new(packed)))
     }
 

@@ -2,6 +2,7 @@
 
 use crate::arguments::Color;
 use crate::errors::{argument, of_reading};
+use crate::forks::detach;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -45,7 +46,7 @@ impl PySky {
     #[staticmethod]
     #[pyo3(signature = (path, *, rotation=0.0))]
     fn environment(py: Python<'_>, path: PathBuf, rotation: f32) -> PyResult<Self> {
-        let map = py.detach(|| voxtrace::import::read_environment(&path, &Limits::default()));
+        let map = detach(py, || voxtrace::import::read_environment(&path, &Limits::default()))?;
         let map = map.map_err(|error| of_reading(py, &error))?;
         Ok(Self(Sky::new(Background::Environment(Environment::new(Arc::new(map), rotation)))))
     }

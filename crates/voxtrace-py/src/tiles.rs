@@ -1,6 +1,7 @@
 //! `TiledCloud`: a scan of many files, of which many processes voxelize some each. `voxtrace.dask` shares it out.
 
 use crate::errors::{argument, of_reading, of_writing, other, raised};
+use crate::forks::detach;
 use crate::interrupt::run;
 use crate::volume::scale_of;
 use pyo3::prelude::*;
@@ -73,7 +74,7 @@ impl PyTiledCloud {
             ..usual
         };
         let import = ImportOptions { limits, points, unit: unit.map(unit_of).transpose()?, ..ImportOptions::default() };
-        let opened = py.detach(|| READERS.open_all(&paths, &import).and_then(|mut opened| opened.open_tiled()));
+        let opened = detach(py, || READERS.open_all(&paths, &import).and_then(|mut opened| opened.open_tiled()))?;
         let cloud = opened.map_err(|error| of_reading(py, &error))?;
         Ok(Self { cloud: Mutex::new(cloud), options, limits })
     }
@@ -235,7 +236,7 @@ pub fn with_levels(py: Python<'_>, path: &Path, levels: i32, threads: usize) -> 
     if count == LevelCount::Some(0) {
         return Ok(());
     }
-    let added = py.detach(|| on_threads(threads, || add_levels(path, count, &mut |_| true)));
+    let added = detach(py, || on_threads(threads, || add_levels(path, count, &mut |_| true)))?;
     added.map_err(|error| other(py, error))
 }
 

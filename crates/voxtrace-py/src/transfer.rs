@@ -22,10 +22,10 @@ pub struct PyTransfer(pub Transfer);
 
 #[pymethods]
 impl PyTransfer {
-    /// Colours between `stops`, pairs of a value and a colour. Values from `threshold`, by default the first stop's, to `upper` are shown.
+    /// Colours between `stops`, pairs of a value and a colour, in any order. Values from `threshold`, by default the first stop's, to `upper` are shown.
     /// `relative`: stops lie from 0, the volume's own threshold, to 1, its 99.9th percentile. `opacity` in [0, 1] is that of surfaces.
     ///
-    /// Raises `ValueError` where there is no stop or values do not ascend.
+    /// Raises `ValueError` where there is no stop, a value is not finite, or `threshold` is above `upper`.
     #[new]
     #[pyo3(signature = (stops, *, threshold=None, upper=None, opacity=1.0, relative=false))]
     fn new(
@@ -35,7 +35,8 @@ impl PyTransfer {
         opacity: f32,
         relative: bool,
     ) -> PyResult<Self> {
-        let mut stops: Vec<_> = stops.into_iter().map(|(value, color)| (value, color.0)).collect();
+        let stop = |(value, color): (f32, Color)| Ok((value, color.reflectance()?));
+        let mut stops = stops.into_iter().map(stop).collect::<PyResult<Vec<_>>>()?;
         if stops.is_empty() || stops.iter().any(|(value, _)| !value.is_finite()) {
             return Err(argument("at least one stop with a finite value is wanted"));
         }
@@ -46,7 +47,13 @@ impl PyTransfer {
                 return Err(argument("relative stops have no threshold of their own: voxelize(threshold=…) sets it"));
             }
             true => Ramp::Relative { stops },
-            false => Ramp::Absolute { low: threshold.unwrap_or(stops[0].0), high: upper.unwrap_or(f32::MAX), stops },
+            false => {
+                let (low, high) = (threshold.unwrap_or(stops[0].0), upper.unwrap_or(f32::MAX));
+                if low.is_nan() || high.is_nan() || low > high {
+                    return Err(argument(format!("values from {low} to {high} are none: threshold is at most upper")));
+                }
+                Ramp::Absolute { low, high, stops }
+            }
         };
         Ok(Self(Transfer { opacity, ..Transfer::new("stops", ramp) }))
     }
@@ -66,7 +73,8 @@ impl PyTransfer {
     #[pyo3(signature = (colors, *, opacity=1.0))]
     fn labels(colors: BTreeMap<i32, Color>, opacity: f32) -> PyResult<Self> {
         check_opacity(opacity)?;
-        let colors = colors.into_iter().map(|(label, color)| (label, LabelColor::from(color.0))).collect();
+        let look = |(label, color): (i32, Color)| Ok((label, LabelColor::from(color.reflectance()?)));
+        let colors = colors.into_iter().map(look).collect::<PyResult<_>>()?;
         Ok(Self(Transfer { opacity, ..Transfer::new("labels", Ramp::Labels(colors)) }))
     }
 

@@ -1,11 +1,12 @@
 //! `Volume`: samples on a lattice.
 
-use crate::arguments::Three;
+use crate::arguments::{Index, Numbers, Three};
 use crate::errors::{argument, other};
+use crate::forks::detach;
 use crate::scene::PyScene;
 use crate::transfer::AnyTransfer;
-use numpy::ndarray::{ArrayView3, Axis};
-use numpy::{AllowTypeChange, IntoPyArray, PyArray1, PyArrayLike3, PyArrayMethods};
+use numpy::ndarray::{ArrayView3, Axis, Ix3};
+use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -40,7 +41,7 @@ impl PyVolume {
     #[pyo3(signature = (array, *, spacing=None, affine=None, unit=None, labels=false, name="array"))]
     fn _from_numpy(
         py: Python<'_>,
-        array: PyArrayLike3<'_, f32, AllowTypeChange>,
+        array: Numbers<'_, f32, Ix3>,
         spacing: Option<&Bound<'_, PyAny>>,
         affine: Option<Vec<[f64; 4]>>,
         unit: Option<&str>,
@@ -49,7 +50,7 @@ impl PyVolume {
     ) -> PyResult<Self> {
         let view = array.as_array();
         let (x, y, z) = view.dim();
-        let values = py.detach(|| first_axis_fastest(&view));
+        let values = detach(py, || first_axis_fastest(&view))?;
         let volume = frame_of(([x, y, z], values), (spacing, affine, unit), labels, name)?;
         volume.validate().map_err(argument)?;
         Ok(Self(volume))
@@ -96,8 +97,8 @@ impl PyVolume {
         &self.0.name
     }
 
-    fn __getitem__(&self, sample: (usize, usize, usize)) -> PyResult<f32> {
-        let (x, y, z) = sample;
+    fn __getitem__(&self, sample: (Index, Index, Index)) -> PyResult<f32> {
+        let (Index(x), Index(y), Index(z)) = sample;
         let [width, depth, height] = self.0.size;
         if x >= width || y >= depth || z >= height {
             return Err(PyIndexError::new_err(format!("sample ({x}, {y}, {z}) of {width} × {depth} × {height}")));
@@ -109,12 +110,15 @@ impl PyVolume {
     /// least value to the 99.9th percentile; what is higher is in the last one.
     #[pyo3(signature = (low=None, high=None))]
     fn histogram<'py>(&self, py: Python<'py>, low: Option<f32>, high: Option<f32>) -> PyResult<Histogram<'py>> {
-        let (low, high, counts) = py.detach(|| {
+        if [low, high].into_iter().flatten().any(|bound| !bound.is_finite()) {
+            return Err(argument("low and high are finite"));
+        }
+        let (low, high, counts) = detach(py, || {
             let values = (low.is_none() || high.is_none()).then(|| self.0.statistics());
             let low = low.or(values.as_ref().map(|values| values.lowest)).unwrap_or(0.0);
             let high = high.or(values.as_ref().map(|values| values.bright)).unwrap_or(0.0);
             (low, high, if low < high { self.0.histogram(low, high) } else { Vec::new() })
-        });
+        })?;
         if counts.is_empty() && low != high {
             return Err(argument("low is below high"));
         }
@@ -125,8 +129,8 @@ impl PyVolume {
 
     /// The value between background and object (Otsu's), from which `voxelize` shows values where nothing else is said.
     #[getter]
-    fn threshold(&self, py: Python<'_>) -> f32 {
-        py.detach(|| self.0.statistics().threshold)
+    fn threshold(&self, py: Python<'_>) -> PyResult<f32> {
+        detach(py, || self.0.statistics().threshold)
     }
 
     /// Makes voxels of what `transfer`, a `TransferFunction` or the name of a preset, shows; without it one is chosen by the values.
@@ -153,7 +157,7 @@ impl PyVolume {
             overlays: Vec::new(),
         };
         let limits = voxtrace::import::Limits::default();
-        let scene = py.detach(|| volume::voxelize(&self.0, &options, &limits)).map_err(|error| other(py, error))?;
+        let scene = detach(py, || volume::voxelize(&self.0, &options, &limits))?.map_err(|error| other(py, error))?;
         Ok(PyScene::of(scene))
     }
 
@@ -205,7 +209,8 @@ pub fn scale_of(resolution: Option<u32>, voxel_size: Option<f64>) -> PyResult<Op
         (Some(_), Some(_)) => Err(argument("resolution or voxel_size, not both")),
         (Some(0), None) => Err(argument("resolution is at least 1")),
         (Some(resolution), None) => Ok(Some(Scale::Resolution(resolution))),
-        (None, Some(size)) => Ok(Some(Scale::VoxelSize(size))),
+        (None, Some(size)) if size > 0.0 && size.is_finite() => Ok(Some(Scale::VoxelSize(size))),
+        (None, Some(size)) => Err(argument(format!("voxel_size is above 0, not {size}"))),
         (None, None) => Ok(None),
     }
 }

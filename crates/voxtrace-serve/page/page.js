@@ -6,6 +6,14 @@ const [main, trail, uploads] = ["main", "trail", "uploads"].map(find);
 const make = (name, given = {}) => Object.assign(document.createElement(name), given);
 /** A name below the folder, as it stands in addresses. */
 const encoded = (name) => name.split("/").map(encodeURIComponent).join("/");
+/** A part of such a name; one that somebody has typed may be none. */
+const decoded = (part) => {
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return part;
+  }
+};
 const joined = (folder, name) => (folder ? `${folder}/${name}` : name);
 /** Thumbnails that are asked for at the same time: others of the browser's connections stay free. */
 const MOST_THUMBNAILS = 2;
@@ -24,7 +32,7 @@ async function ask(address, options) {
 /** Where one is: the folder, and the scene in it, if one is open. */
 function where() {
   const [kind, ...rest] = location.hash.replace(/^#\/?/, "").split("/");
-  const name = rest.map((part) => decodeURIComponent(part)).join("/");
+  const name = rest.map(decoded).join("/");
   return kind === "scene" ? { scene: name, folder: name.split("/").slice(0, -1).join("/") } : { folder: kind === "folder" ? name : "" };
 }
 
@@ -176,6 +184,8 @@ function add(files) {
 
 /** Sends a file, and asks before it takes another's place. */
 async function addOne(file, folder, line, bar) {
+  // A server that has had enough hangs up, and browsers do not tell why.
+  if (file.size > server.largest_upload) return say(line, `${file.name}: it is larger than the ${bytesText(server.largest_upload)} that this server takes`, "alarm");
   let answer = await send(file, folder, false, bar);
   if (answer.status === 409 && (await wantsToReplace(answer.said.error))) answer = await send(file, folder, true, bar);
   if (answer.status === 201) {

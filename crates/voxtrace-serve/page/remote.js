@@ -22,6 +22,8 @@ export class RemoteView {
   #size = 1;
   #id = 0;
   #last = "";
+  /** Number of the picture that is shown. */
+  #frame = 0;
   #isAsked = false;
   #pointers = new Map();
   #life = new AbortController();
@@ -57,6 +59,7 @@ export class RemoteView {
     const socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/remote/${this.#path}`);
     socket.binaryType = "arraybuffer";
     this.#socket = socket;
+    this.#frame = 0;
     let failure = "";
     socket.onmessage = ({ data }) => {
       if (typeof data !== "string") return void this.#show(socket, data);
@@ -100,6 +103,9 @@ export class RemoteView {
     const [frame, view, samples, of, isWhole] = head;
     try {
       const picture = await createImageBitmap(new Blob([new Uint8Array(data, HEAD_BYTES)], { type: isWhole ? "image/png" : "image/jpeg" }));
+      // A large one may be read later than the small one that came after it.
+      if (socket !== this.#socket || frame < this.#frame) return picture.close();
+      this.#frame = frame;
       const context = this.#canvas.getContext("2d", { alpha: false });
       // A coarse picture is shown in the size of the fine one.
       const [width, height] = this.#pixels();

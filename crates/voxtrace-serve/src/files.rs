@@ -1,6 +1,6 @@
 //! Files as they are, with what browsers ask for to take them piece by piece: `Range`, `ETag`, `If-Range` and `If-None-Match` (RFC 9110, sections 13 and 14).
 
-use crate::places::Place;
+use crate::places::{Place, stamp_of};
 use crate::refusal::Refusal;
 use axum::body::Body;
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
@@ -16,9 +16,10 @@ const PART: usize = 256 << 10;
 
 /// Answers with a file, or the part of it that is asked for.
 pub async fn respond(place: &Place, asked: &HeaderMap, kind: &'static str) -> Result<Response, Refusal> {
-    let mut file = File::open(&place.path).await.map_err(|_| Refusal::nothing(&place.name))?;
-    let length = place.metadata.len();
-    let (_, written) = place.version();
+    let nothing = |_| Refusal::nothing(&place.name);
+    let mut file = File::open(&place.path).await.map_err(nothing)?;
+    // Of what was opened: another file may have taken the place of the one that was found.
+    let (length, written) = stamp_of(&file.metadata().await.map_err(nothing)?);
     let tag = format!("\"{length:x}-{written:x}\"");
     let common = |response: &mut Response| {
         let headers = response.headers_mut();
@@ -93,6 +94,24 @@ fn range_of(asked: &HeaderMap, tag: &str, length: u64) -> Wanted {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_file_that_takes_anothers_place_comes_whole_and_under_its_own_tag() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.vox");
+        std::fs::write(&path, "old").unwrap();
+        let found = Place { name: "a.vox".into(), metadata: path.metadata().unwrap(), path: path.clone() };
+        let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
+        runtime.block_on(async {
+            let old = respond(&found, &HeaderMap::new(), "a").await.unwrap();
+            std::fs::write(folder.path().join("new"), "new and longer").unwrap();
+            std::fs::rename(folder.path().join("new"), &path).unwrap();
+            let new = respond(&found, &HeaderMap::new(), "a").await.unwrap();
+            assert_ne!(new.headers()[header::ETAG], old.headers()[header::ETAG]);
+            assert_eq!(new.headers()[header::CONTENT_LENGTH], "14");
+            assert_eq!(axum::body::to_bytes(new.into_body(), 99).await.unwrap(), "new and longer");
+        });
+    }
 
     #[test]
     fn ranges_are_those_of_the_standard() {

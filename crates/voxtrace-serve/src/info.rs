@@ -41,7 +41,7 @@ pub struct Info {
 
 impl Info {
     pub fn of(place: &Place, opened: &Opened) -> Self {
-        let Opened { scene, notes, bytes } = opened;
+        let Opened { scene, notes, bytes, .. } = opened;
         let statistics = scene.statistics();
         Self {
             name: scene.name.clone(),

@@ -11,7 +11,7 @@ use futures_util::future::Shared;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, Weak};
 use tokio::sync::Semaphore;
 use voxtrace::PackedScene;
 use voxtrace::import::{self, Content, ImportOptions};
@@ -30,6 +30,20 @@ pub struct Opened {
     pub notes: Vec<String>,
     /// Bytes of the packed scene.
     pub bytes: u64,
+    /// Its native file, while it is sent to somebody.
+    file: Mutex<Weak<Vec<u8>>>,
+}
+
+impl Opened {
+    /// The scene as a native file: one in memory for all to whom it is sent meanwhile.
+    pub fn file(&self) -> Arc<Vec<u8>> {
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        file.upgrade().unwrap_or_else(|| {
+            let bytes = Arc::new(self.scene.to_bytes());
+            *file = Arc::downgrade(&bytes);
+            bytes
+        })
+    }
 }
 
 type Read = Result<Arc<Opened>, Refusal>;
@@ -163,7 +177,7 @@ pub fn read_file(path: &Path, name: &str, options: &ImportOptions, wanted: Arc<A
             .map_err(|error| Refusal::unreadable(format!("{name}: {error}")))?,
     };
     let bytes = scene.statistics().total_bytes();
-    Ok(Arc::new(Opened { scene: Arc::new(scene), notes: loaded.notes, bytes }))
+    Ok(Arc::new(Opened { scene: Arc::new(scene), notes: loaded.notes, bytes, file: Mutex::default() }))
 }
 
 /// Does work on a thread for it, and tells it when nobody waits any more.
@@ -189,6 +203,18 @@ mod tests {
     use std::io::Write;
     use std::process::Command;
     use std::time::Duration;
+
+    #[test]
+    fn what_is_sent_to_several_is_in_memory_once_and_only_meanwhile() {
+        let scene = PackedScene::pack(&voxtrace::scenes::generate("city", Some(20_000)).unwrap()).unwrap();
+        let opened = Opened { scene: Arc::new(scene), notes: Vec::new(), bytes: 0, file: Mutex::default() };
+        let first = opened.file();
+        assert!(Arc::ptr_eq(&first, &opened.file()) && *first == opened.scene.to_bytes());
+        let sent = Arc::downgrade(&first);
+        drop(first);
+        assert!(sent.upgrade().is_none());
+        assert!(!opened.file().is_empty());
+    }
 
     /// A pipe tells when it is opened, and is read as slowly as it is written.
     #[test]

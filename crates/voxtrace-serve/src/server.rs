@@ -13,7 +13,7 @@ use crate::scenes::{For, Scenes, while_waited_for};
 use crate::settings::Settings;
 use crate::thumbnails::Thumbnails;
 use crate::upload::{self, Uploaded};
-use axum::body::Body;
+use axum::body::{Body, Bytes};
 use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
@@ -261,8 +261,17 @@ async fn packed(State(app): Shared, Path(name): Path<String>) -> Result<Response
         return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, "the scene is too large for a page"));
     }
     let _turn = app.packing.acquire().await.map_err(|_| Refusal::busy("the server stops"))?;
-    let bytes = while_waited_for(move |_| opened.scene.to_bytes()).await?;
-    Ok(([(header::CONTENT_TYPE, BYTES)], bytes).into_response())
+    let bytes = while_waited_for(move |_| opened.file()).await?;
+    Ok(([(header::CONTENT_TYPE, BYTES)], Bytes::from_owner(Sent(bytes))).into_response())
+}
+
+/// Bytes that several clients may be sent at the same time.
+struct Sent(Arc<Vec<u8>>);
+
+impl AsRef<[u8]> for Sent {
+    fn as_ref(&self) -> &[u8] {
+        &self.0
+    }
 }
 
 /// The type of files that only programs read.

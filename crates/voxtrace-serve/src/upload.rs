@@ -5,7 +5,7 @@ use crate::places::{Place, format_of};
 use crate::refusal::Refusal;
 use crate::scenes::{read_file, while_waited_for};
 use crate::server::App;
-use axum::body::Body;
+use axum::body::{Body, HttpBody};
 use axum::http::StatusCode;
 use futures_util::StreamExt;
 use serde::Serialize;
@@ -42,19 +42,33 @@ pub async fn take(app: &App, name: &str, replace: bool, body: Body) -> Result<Up
         let line = format!("{file_name}: no format that is read has this extension");
         return Err(Refusal::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, line));
     }
+    let too_large = || {
+        let line = format!("{file_name}: it is larger than the {} bytes that this server takes", limits.upload);
+        Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, line)
+    };
+    // Programs that ask before they send need not send it.
+    if body.size_hint().lower() > limits.upload {
+        return Err(too_large());
+    }
     let _turn = app.uploads.try_acquire().map_err(|_| Refusal::busy("other files are being uploaded"))?;
     // In the folder itself, so that the file is renamed in the end, not copied; hidden meanwhile, and removed whatever happens.
     let hidden = tempfile::Builder::new().prefix(HIDDEN).tempdir_in(&folder.path);
     let hidden = hidden.map_err(|error| cannot_write(&file_name, &error))?;
     // With its own name, which scenes are called by.
     let received = hidden.path().join(&file_name);
-    receive(app, body, &received, &file_name).await?;
+    receive(app, body, &received, &file_name, &too_large).await?;
     let upload = Upload { hidden, received, file_name, folder, replace, options: app.scenes.options().clone() };
     while_waited_for(move |wanted| upload.convert(&wanted)).await?
 }
 
 /// Writes the body of a request to a file.
-async fn receive(app: &App, body: Body, path: &Path, name: &str) -> Result<(), Refusal> {
+async fn receive(
+    app: &App,
+    body: Body,
+    path: &Path,
+    name: &str,
+    too_large: &(dyn Fn() -> Refusal + Sync),
+) -> Result<(), Refusal> {
     let limits = &app.settings.limits;
     let failed = |error: io::Error| cannot_write(name, &error);
     let mut file = tokio::fs::File::create(path).await.map_err(failed)?;
@@ -67,8 +81,7 @@ async fn receive(app: &App, body: Body, path: &Path, name: &str) -> Result<(), R
         let part = part.map_err(|_| Refusal::new(StatusCode::BAD_REQUEST, format!("{name}: it came in part only")))?;
         received += part.len() as u64;
         if received > limits.upload {
-            let line = format!("{name}: it is larger than the {} bytes that this server takes", limits.upload);
-            return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, line));
+            return Err(too_large());
         }
         let granted = limits.body.as_secs_f64();
         if (received as f64) < (start.elapsed().as_secs_f64() - granted) * SLOWEST as f64 {
@@ -122,7 +135,10 @@ impl Upload {
 
 /// A file's name without the extension of its format.
 fn stem(name: &str) -> &str {
-    let packed = ["gz", "zip"].iter().find_map(|extension| name.strip_suffix(&format!(".{extension}")));
+    let packed = [".gz", ".zip"].iter().find_map(|extension| {
+        let (stem, found) = name.split_at_checked(name.len().checked_sub(extension.len())?)?;
+        found.eq_ignore_ascii_case(extension).then_some(stem)
+    });
     let name = packed.filter(|name| name.contains('.')).unwrap_or(name);
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
 }
@@ -142,7 +158,15 @@ mod tests {
 
     #[test]
     fn the_extension_goes_and_the_name_stays() {
-        let cases = [("a.vox", "a"), ("a.b.obj", "a.b"), ("scan.nii.gz", "scan"), ("x.zarr.zip", "x"), ("x.zip", "x")];
+        let cases = [
+            ("a.vox", "a"),
+            ("a.b.obj", "a.b"),
+            ("scan.nii.gz", "scan"),
+            ("x.zarr.zip", "x"),
+            ("x.zip", "x"),
+            ("S.NII.GZ", "S"),
+            ("ü", "ü"),
+        ];
         for (name, expected) in cases {
             assert_eq!(stem(name), expected);
         }

@@ -12,7 +12,7 @@ from typing import Any
 import numpy
 
 from .._voxtrace import Camera, Scene
-from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes
+from ._sharing import Packed, address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes
 
 
 def animate(
@@ -50,7 +50,7 @@ def animate(
     missing = [number for number, path in enumerate(paths) if overwrite or not path.exists()]
     if not missing:
         return paths
-    data, key = packed_scene(scene)
+    data, packed = packed_scene(scene)
     frame = {"samples": samples, "size": size, "denoise": denoise, **options}
     look = {"exposure": exposure, "tone_map": tone_map}
 
@@ -59,7 +59,7 @@ def animate(
         begun: dict[Any, int] = {}
         for number in numbers:
             place = None if places is None else places[number]
-            arguments = sent, key, device, cameras[number], place, {**frame, "seed": seed + number}, look, paths[number].suffix
+            arguments = sent, packed, device, cameras[number], place, {**frame, "seed": seed + number}, look, paths[number].suffix
             begun[client.submit(_render_frame, *arguments, pure=False, retries=retries, **elsewhere(workers))] = number
         return begun
 
@@ -91,7 +91,7 @@ def picture_file(image: Any, suffix: str, look: dict[str, Any]) -> bytes:
 
 def _render_frame(
     data: bytes,
-    key: str,
+    packed: Packed,
     device: str,
     camera: Camera,
     place: Any,
@@ -101,7 +101,8 @@ def _render_frame(
 ) -> tuple[str, bytes]:
     """The worker, and the file of a frame."""
     kind = "still" if place is None else "placeable"
-    renderer = renderer_of(data, key, device, kind, placeable=place is not None)
-    if place is not None:
-        renderer.place(place)
-    return address_of_worker(), picture_file(renderer.render(camera, **frame), suffix, look)
+    with renderer_of(data, packed, device, kind, placeable=place is not None) as renderer:
+        if place is not None:
+            renderer.place(place)
+        image = renderer.render(camera, **frame)
+    return address_of_worker(), picture_file(image, suffix, look)

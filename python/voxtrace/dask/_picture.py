@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .._voxtrace import Camera, Image, Renderer, Scene
-from ._sharing import address_of_worker, elsewhere, gathered, packed_scene, number_of_workers, renderer_of, sent_bytes, usual_parts
+from ._sharing import Packed, address_of_worker, elsewhere, gathered, packed_scene, number_of_workers, renderer_of, sent_bytes, usual_parts
 
 
 def render(
@@ -69,7 +69,7 @@ def render_like(
 
 def _shared(
     client: Any,
-    packed: tuple[bytes, str],
+    scene: tuple[bytes, Packed],
     device: str,
     what: Camera | bytes,
     frame: dict[str, Any],
@@ -79,7 +79,7 @@ def _shared(
     progress: Callable[[float], object] | None,
 ) -> list[Image]:
     """The film of the samples between bounds, of a camera or like a film; two of them, which join at the bound of that number, where there is one."""
-    data, key = packed
+    data, packed = scene
     units = branches(len(bounds) - 1, half)
 
     def submit(missing: list[int], workers: list[str]) -> dict[Any, int]:
@@ -91,7 +91,7 @@ def _shared(
                 limbs = [begin(limb) for limb in split(parts)]
                 return client.submit(_add, limbs, pure=False, retries=retries, **elsewhere(workers))
             first, end = bounds[parts.start], bounds[parts.stop]
-            arguments = sent, key, device, what, first, end - first, frame
+            arguments = sent, packed, device, what, first, end - first, frame
             return client.submit(_render_part, *arguments, pure=False, retries=retries, **elsewhere(workers))
 
         return {begin(units[unit]): unit for unit in missing}
@@ -164,17 +164,17 @@ def _camera_of(scene: Scene, camera: str | None, size: tuple[int, int]) -> Camer
 
 
 def _render_part(
-    data: bytes, key: str, device: str, what: Camera | bytes, first_sample: int, samples: int, frame: dict[str, Any]
+    data: bytes, packed: Packed, device: str, what: Camera | bytes, first_sample: int, samples: int, frame: dict[str, Any]
 ) -> tuple[str, bytes]:
     """The worker, and the film of a range of samples."""
     film = Image.from_bytes(what) if isinstance(what, bytes) else None
     light = hashlib.sha256(what).hexdigest() if isinstance(what, bytes) else ""
-    renderer = renderer_of(data, key, device, light, film=film)
-    if isinstance(what, Camera):
-        image = renderer.render(what, samples=samples, first_sample=first_sample, denoise=False, **frame)
-    else:
-        assert film is not None
-        image = renderer.render_like(film, samples=samples, first_sample=first_sample, **frame)
+    with renderer_of(data, packed, device, light, film=film) as renderer:
+        if isinstance(what, Camera):
+            image = renderer.render(what, samples=samples, first_sample=first_sample, denoise=False, **frame)
+        else:
+            assert film is not None
+            image = renderer.render_like(film, samples=samples, first_sample=first_sample, **frame)
     return address_of_worker(), image.to_bytes()
 
 

@@ -7,15 +7,17 @@ import hashlib
 import os
 import statistics
 import tempfile
+import threading
 import time
 import warnings
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from .. import _voxtrace
-from .._voxtrace import Renderer, Scene
+from .._voxtrace import Renderer, Scene, __version__
 
 #: A part that takes so many times as long as others is given to another worker as well.
 PATIENCE = 3.0
@@ -34,8 +36,26 @@ GLANCE = 0.01
 #: Parts for each worker, so that quick ones take more of them.
 PARTS_A_WORKER = 4
 
+#: Seconds that a worker's disk keeps a scene that nobody has asked for again.
+KEPT = 24 * 3600.0
+
+
+@dataclass(frozen=True)
+class Packed:
+    """What workers have to know of a scene besides the bytes of its file."""
+
+    #: The hash of the bytes.
+    key: str
+    #: `Scene.clip`, which files do not hold.
+    clip: tuple[tuple[float, ...], tuple[float, ...]] | None
+    #: That of the package which asks.
+    version: str
+
+
 #: Renderers of a worker's process, by the scene, the device and what else they are made with: scenes are sent, unpacked and put on the device once.
-_renderers: dict[tuple[str, str, str], Renderer] = {}
+_renderers: dict[tuple[Packed, str, str], Renderer] = {}
+#: Whose turn it is: Dask gives a worker as many parts at once as it has threads, and a renderer makes one after the other.
+_turn = threading.Lock()
 
 
 def number_of_workers(client: Any) -> int:
@@ -101,7 +121,7 @@ def gathered(
     there: set[int] = set()
     alive: set[str] = set()
     took: deque[float] = deque(maxlen=64)
-    last = time.monotonic()
+    last, silences = time.monotonic(), 0
     try:
         while len(there) < len(parts):
             come = results.next_batch(block=False)
@@ -119,19 +139,19 @@ def gathered(
                     alive.add(worker)
                     now = time.monotonic()
                     took.append(now - last)
-                    last = now
+                    last, silences = now, 0
             if progress:
                 progress(len(there) / len(parts))
             rest = [part for part in parts if part not in there]
             patience = max(least_patience, PATIENCE * statistics.median(took) if took else FIRST_PATIENCE * rounds)
-            is_late = time.monotonic() - last > patience
-            # Once for each silence: nobody is asked for the same again and again.
+            # Twice as long each time: parts may take long, and each time the scene is sent anew.
+            is_late = time.monotonic() - last > patience * 2**silences
             if rest and is_late:
                 again = submit(rest, sorted(alive))
                 results.update(list(again))
                 waiting |= again
                 alive.clear()
-                last = time.monotonic()
+                last, silences = time.monotonic(), silences + 1
     finally:
         # What nobody waits for any more, or after a failure.
         client.cancel(list(waiting), force=True)
@@ -191,21 +211,28 @@ def removed(place: Path, made: list[Path]) -> None:
         place.rmdir()
 
 
-def packed_scene(scene: Scene) -> tuple[bytes, str]:
-    """The scene as the bytes of a file, and their hash."""
+def packed_scene(scene: Scene) -> tuple[bytes, Packed]:
+    """The scene as the bytes of a file, and what else there is to know of it."""
     data = scene.to_bytes()
-    return data, hashlib.sha256(data).hexdigest()
+    clip = scene.clip
+    corners = None if clip is None else (tuple(clip[0]), tuple(clip[1]))
+    return data, Packed(hashlib.sha256(data).hexdigest(), corners, __version__)
 
 
-def renderer_of(data: bytes, key: str, device: str, kind: str, **options: Any) -> Renderer:
-    """The renderer of this process for the scene of a file's bytes with the hash `key`; `kind` tells apart those of other options."""
-    renderer = _renderers.get((key, device, kind))
-    if renderer is None:
-        # One scene at a time lies on a device.
-        _renderers.clear()
-        renderer = Renderer(_unpacked(data, key), device=device, **options)
-        _renderers[key, device, kind] = renderer
-    return renderer
+@contextlib.contextmanager
+def renderer_of(data: bytes, packed: Packed, device: str, kind: str, **options: Any) -> Iterator[Renderer]:
+    """The renderer of this process for the scene of a file's bytes, for one of its threads at a time; `kind` tells apart those of other options."""
+    if packed.version != __version__:
+        raise RuntimeError(f"a worker has voxtrace {__version__}, and who asks has {packed.version}: their pictures may differ")
+    with _turn:
+        renderer = _renderers.get((packed, device, kind))
+        if renderer is None:
+            # One scene at a time lies on a device.
+            _renderers.clear()
+            scene = _unpacked(data, packed.key)
+            scene.clip = packed.clip
+            renderer = _renderers[packed, device, kind] = Renderer(scene, device=device, **options)
+        yield renderer
 
 
 def own_threads(threads: dict[str, int]) -> int:
@@ -222,12 +249,24 @@ def address_of_worker() -> str:
 
 
 def _unpacked(data: bytes, key: str) -> Scene:
-    """The scene of a file's bytes, which stays on the worker's disk for the next process that wants it."""
+    """The scene of a file's bytes, which stays on the worker's disk for the next process that wants it, and not for ever."""
     folder = Path(tempfile.gettempdir()) / f"voxtrace-{os.getuid() if hasattr(os, 'getuid') else 0}"
     folder.mkdir(mode=0o700, exist_ok=True)
     path = folder / f"{key}.vxt"
-    if not path.exists():
+    try:
+        # It is wanted now.
+        os.utime(path)
+    except FileNotFoundError:
+        _forget_old(folder)
         part = path.with_suffix(f".{os.getpid()}")
         part.write_bytes(data)
         part.replace(path)
     return _voxtrace.open(path)
+
+
+def _forget_old(folder: Path) -> None:
+    """Removes the scenes that were not asked for lately. Who has one open keeps it."""
+    for file in folder.iterdir():
+        with contextlib.suppress(OSError):
+            if time.time() - file.stat().st_mtime > KEPT:
+                file.unlink()

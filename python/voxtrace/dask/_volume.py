@@ -173,7 +173,8 @@ def _read(array: Any, kind: str, first: int, end: int, low: int, high: int) -> A
         values = values.astype(values.dtype.newbyteorder("="), copy=False).view(bits) ^ bits(1 << (8 * bits().itemsize - 1))
     else:
         values = values.astype(numpy.uint16 if kind == "u16" else numpy.float32, copy=False)
-    return numpy.ascontiguousarray(values.transpose(2, 1, 0))
+    # What a file that is mapped has behind a header of odd length is not aligned.
+    return numpy.require(values.transpose(2, 1, 0), requirements=["C", "A"])
 
 
 def _answer(work: Callable[[TiledVolume], Any], common: bytes) -> tuple[str, Any]:

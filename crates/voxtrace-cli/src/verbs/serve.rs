@@ -16,6 +16,7 @@ use voxtrace_serve::{Limits, ServeError, Server, Settings};
 ///
 /// Prints the address to open. Without --listen only this machine can reach it; other addresses need the token that is printed with them. Ctrl-C ends it.
 #[derive(clap::Args, Clone, Debug)]
+#[command(mut_arg("cluster", |cluster| cluster.hide(true)))]
 pub struct ServeArgs {
     /// The folder
     #[arg(value_name = "FOLDER", default_value = ".")]
@@ -27,7 +28,7 @@ pub struct ServeArgs {
     #[arg(long, value_name = "TOKEN", env = "VOXTRACE_TOKEN", hide_env_values = true, value_parser = token)]
     token: Option<String>,
     /// A name under which browsers may ask for this machine, beside its addresses and localhost; several times for several
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = host_name)]
     host_name: Vec<String>,
     /// Folder of the viewer for pages (voxtrace.js and what lies beside it) [default: `web` beside the program]. Without it, the server traces all pictures
     #[arg(long, value_name = "FOLDER", env = "VOXTRACE_WEB", hide_env_values = true)]
@@ -52,6 +53,14 @@ pub struct ServeArgs {
 fn token(text: &str) -> Result<String, String> {
     let is_token = text.len() >= 16 && text.chars().all(|c| c.is_ascii_alphanumeric());
     is_token.then(|| text.to_owned()).ok_or_else(|| "a token has at least 16 letters and digits".into())
+}
+
+/// A name that a browser's `Host` can be, whatever its port.
+fn host_name(text: &str) -> Result<String, String> {
+    let is_name = !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || "-._".contains(c));
+    is_name
+        .then(|| text.to_owned())
+        .ok_or_else(|| "a name alone is wanted, without scheme and port: scans.example".into())
 }
 
 impl ServeArgs {

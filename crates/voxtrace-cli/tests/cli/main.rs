@@ -5,6 +5,7 @@ mod animate_gltf;
 mod bench;
 mod bench_against;
 mod bench_plans;
+mod cluster;
 mod common;
 mod compare;
 mod denoise;

@@ -35,6 +35,17 @@ fn about(options: &[&str]) -> serde_json::Value {
 }
 
 #[test]
+fn options_that_cannot_be_are_refused_and_not_offered() {
+    let folder = Folder::new();
+    assert!(!folder.succeed(&["serve", "--help"]).contains("--cluster"));
+    assert!(folder.fail(&["serve", ".", "--cluster", "tcp://127.0.0.1:1"], 2).contains("--cluster is for"));
+    for name in ["scans.example:8080", "http://scans.example", ""] {
+        let said = folder.fail(&["serve", ".", "--host-name", name], 2);
+        assert!(said.contains("without scheme and port"), "{name:?}: {said}");
+    }
+}
+
+#[test]
 fn a_server_takes_files_of_the_size_that_it_was_told_or_none() {
     assert_eq!(about(&[])["largest_upload"], 2_000_000_000_u64);
     assert_eq!(about(&["--max-upload", "5MB"])["largest_upload"], 5_000_000);

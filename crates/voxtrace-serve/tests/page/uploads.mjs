@@ -90,3 +90,11 @@ await until("the last is told of", () => lines()[3] === "new.vox is here as new.
 assert.equal(lines()[0], "a.vox: a.vxt is there already, and was left.");
 assert.equal(lines()[1], "b.vox is here as b.vxt");
 assert.match(lines()[2], /^odd\.vox: /);
+// What the server would not take is not sent.
+page.dispatchEvent(Object.assign(new Event("drop"), { dataTransfer: { types: ["Files"], files: [{ name: "huge.vox", size: 1001 }] } }));
+await until("it is told why", () => /^huge\.vox: it is larger than the 1\.00 kB/.test(lines()[4] ?? ""));
+assert.equal(sent.length, 5);
+// An address that somebody has typed, with a sign that means nothing there: what goes wrong here ends the test.
+location.hash = "#/folder/100%";
+page.dispatchEvent(new Event("hashchange"));
+await until("the folder's name is shown", () => element("trail").text.endsWith("100%"));

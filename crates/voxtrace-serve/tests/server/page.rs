@@ -25,3 +25,8 @@ fn run(test: &str) {
 fn files_of_two_drops_are_asked_about_one_after_the_other() {
     run("uploads.mjs");
 }
+
+#[test]
+fn a_picture_that_is_read_late_is_not_shown_over_a_newer_one() {
+    run("pictures.mjs");
+}
