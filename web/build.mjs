@@ -1,12 +1,13 @@
 // The package in `dist/` of the module in `wasm/`, which `cargo xtask web` builds: the element, its workers, the modules made smaller, the shaders, and types.
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { brotliCompressSync, constants } from "node:zlib";
 import { build } from "esbuild";
 
 const MODULES = ["voxtrace", "gpu", "stream", "scenes", "readers"];
 const SHADERS = "shaders.wgsl";
-const here = (path) => new URL(path, import.meta.url).pathname;
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 process.chdir(here("."));
 rmSync("dist", { recursive: true, force: true });
 mkdirSync("dist");

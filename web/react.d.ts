@@ -1,6 +1,6 @@
 // Types of <voxtrace-viewer> for React 19 and later: `import type {} from "voxtrace/react"`.
 import type { DetailedHTMLProps, HTMLAttributes } from "react";
-import type { VoxtraceViewer } from "./dist/index.js";
+import type { Picked, VoxtraceViewer } from "./dist/index.js";
 
 interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   src?: string;
@@ -12,6 +12,7 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   "camera-orbit"?: string;
   "camera-target"?: string;
   "field-of-view"?: string;
+  "clip-box"?: string;
   "auto-rotate"?: boolean;
   exposure?: number;
   "tone-mapping"?: "agx" | "neutral" | "reinhard" | "linear";
@@ -29,6 +30,7 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   onerror?: (event: CustomEvent<{ type: string; message: string }>) => void;
   "oncamera-change"?: (event: CustomEvent<{ source: "none" | "user-interaction"; orbit: string }>) => void;
   "ondetail-change"?: (event: CustomEvent<{ finest: number; coarsest: number; isExact: boolean }>) => void;
+  "onvoxel-pick"?: (event: CustomEvent<Picked | null>) => void;
   onstill?: (event: CustomEvent<{ samples: number; width: number; height: number; isExact: boolean }>) => void;
 }
 

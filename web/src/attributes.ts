@@ -43,6 +43,9 @@ export abstract class Attributes extends Base {
   /** Whether the camera goes around by itself; never where a person prefers less motion. */
   get autoRotate() { return this.hasAttribute("auto-rotate"); }
   set autoRotate(value: boolean) { this.toggleAttribute("auto-rotate", value); }
+  /** Whether files that are dropped are the page's. */
+  get noDrop() { return this.hasAttribute("no-drop"); }
+  set noDrop(value: boolean) { this.toggleAttribute("no-drop", value); }
   /** What is shown while the view moves: `auto`, where the GPU traces, real-time light; `off`, coarse pictures. */
   get realTime() { return (this.getAttribute("real-time") === "off" ? "off" : "auto") as "auto" | "off"; }
   set realTime(value: "auto" | "off") { this.setAttribute("real-time", value); }

@@ -53,6 +53,8 @@ export class VoxtraceViewer extends Attributes {
   #isHome = true;
   /** The last load that was asked for; a later one makes it void. */
   #load: AbortController | undefined;
+  /** Loads the same once more, an address or a file of this machine. */
+  #again: (() => void) | undefined;
   /** The file for streaming that is followed, and whether finer parts of it are on their way. */
   #streaming: Streaming | undefined;
   #isArriving = false;
@@ -69,7 +71,15 @@ export class VoxtraceViewer extends Attributes {
     const failed = (error: unknown) => this.#fail(error, "renderfailure");
     const shown = () => this.#shown();
     const still = (picture: Picture) => this.#still(picture);
-    this.#stage = new Stage(this.#parts.canvas, this.#pool, { shown, still, failed }, this.#look());
+    this.#stage = new Stage(this.#parts.canvas, this.#pool, { shown, still, failed });
+    // What a page set before there was this class would hide its properties for good.
+    const own = this as Record<string, unknown>;
+    for (const [name, value] of Object.entries(own)) {
+      delete own[name];
+      own[name] = value;
+    }
+    // Browsers empty canvases whose context they lost: the film is drawn again.
+    this.#parts.canvas.addEventListener("contextrestored", () => void this.#stage.setLook(this.#look()));
     this.#parts.poster.addEventListener("click", () => this.#reveal());
     this.#parts.poster.addEventListener("keydown", (event) => {
       if (event.key !== "Enter" && event.key !== " ") return;
@@ -98,12 +108,16 @@ export class VoxtraceViewer extends Attributes {
     this.#listenToDrops(signal);
     const size = new ResizeObserver(() => this.#refresh());
     size.observe(this);
-    const visible = new IntersectionObserver(([entry]) => this.#seen(!!entry?.isIntersecting), { rootMargin: "100px" });
+    // A lazy one is not seen until that is known. Of several changes the last one holds.
+    this.#isVisible = this.loading !== "lazy";
+    const visible = new IntersectionObserver((entries) => this.#seen(entries.at(-1)!.isIntersecting), { rootMargin: "100px" });
     visible.observe(this);
     signal.addEventListener("abort", () => {
       size.disconnect();
       visible.disconnect();
     });
+    // Attributes that it had before, or got while it was no part of a page.
+    void this.#stage.setLook(this.#look());
     this.#describe();
     this.#turnOn(signal);
     if (this.loading !== "lazy") this.#reload();
@@ -116,7 +130,9 @@ export class VoxtraceViewer extends Attributes {
 
   attributeChangedCallback(name: string, before: string | null, after: string | null) {
     if (before === after || !this.#life || this.#life.signal.aborted) return;
-    if (name === "src" || name === "tracer") this.#reload();
+    if (name === "src" || (name === "loading" && !this.#load)) {
+      if (this.#load || this.#isVisible || this.loading !== "lazy") this.#reload();
+    } else if (name === "tracer") this.#again?.();
     else if (name === "exposure" || name === "tone-mapping" || name === "real-time") void this.#stage.setLook(this.#look());
     else if (name.startsWith("camera-o") || name === "camera-target" || name === "field-of-view") this.#goHome("none");
     else if (["samples", "seed", "max-bounces", "max-pixels", "clip-box"].includes(name)) this.#refresh();
@@ -176,7 +192,7 @@ export class VoxtraceViewer extends Attributes {
   toBlob({ mimeType = "image/png", quality }: { mimeType?: string; quality?: number } = {}): Promise<Blob> {
     return new Promise((done, failed) => {
       const made = (blob: Blob | null) => (blob ? done(blob) : failed(new Error("there is no picture")));
-      if (!this.loaded) made(null);
+      if (!this.loaded || this.#parts.canvas.className) made(null);
       else this.#parts.canvas.toBlob(made, mimeType, quality);
     });
   }
@@ -233,7 +249,7 @@ export class VoxtraceViewer extends Attributes {
   }
 
   #emit(name: string, detail: unknown) {
-    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: false }));
+    this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
   #reload() {
@@ -253,11 +269,10 @@ export class VoxtraceViewer extends Attributes {
 
   /** Loads what `source` gives, unless something else is asked for meanwhile; what has no kind may be a file for streaming. */
   async #begin(name: string, source: (signal: AbortSignal) => Promise<Source | Followed>) {
-    this.#load?.abort();
+    this.#forget();
     const load = (this.#load = new AbortController());
+    this.#again = () => void this.#begin(name, source);
     this.#isArriving = false;
-    this.#stage.stop();
-    [this.#info, this.#view, this.#start] = [undefined, undefined, undefined];
     this.#parts.message.hidden = true;
     this.#progress(0);
     this.#say(`Loading ${name}`);
@@ -475,11 +490,13 @@ export class VoxtraceViewer extends Attributes {
 
   #turnOn(signal: AbortSignal) {
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
-    let last = performance.now();
+    let [last, ratio] = [performance.now(), devicePixelRatio];
     const frame = (now: number) => {
       if (signal.aborted) return;
       const seconds = Math.min(0.25, (now - last) / 1000);
       last = now;
+      // Zooming leaves the size of an element in its own pixels as it is.
+      if (ratio !== (ratio = devicePixelRatio)) this.#refresh();
       const turns = this.autoRotate && !calm.matches && this.#isVisible && !this.#isCovered && !!this.#view;
       this.#parts.pause.hidden = !turns;
       if (turns && this.#isTurning && now - this.#lastMove > REST) {
@@ -493,7 +510,7 @@ export class VoxtraceViewer extends Attributes {
   #listenToDrops(signal: AbortSignal) {
     const root = this.#parts.canvas.parentNode as ShadowRoot;
     const hover = (isOver: boolean) => (root.host as HTMLElement).toggleAttribute("dropping", isOver);
-    const takes = (event: DragEvent) => !this.hasAttribute("no-drop") && !!event.dataTransfer?.types.includes("Files");
+    const takes = (event: DragEvent) => !this.noDrop && !!event.dataTransfer?.types.includes("Files");
     this.addEventListener("dragover", (event) => {
       if (!takes(event)) return;
       event.preventDefault();
@@ -565,7 +582,7 @@ export class VoxtraceViewer extends Attributes {
     // Who was ended on purpose did not fail.
     if (error instanceof ClosedError) return;
     const message = error instanceof Error ? error.message : String(error);
-    if (error instanceof TracerError && error.isFatal) this.#pool.end();
+    if (!this.#info || (error instanceof TracerError && error.isFatal)) this.#pool.end();
     // What is shown of a file whose further parts do not come stays.
     if (type === "renderfailure" || !this.#info) this.#stage.stop();
     // The picture of another scene would be taken for this one's.
@@ -580,13 +597,18 @@ export class VoxtraceViewer extends Attributes {
   /** Gives all memory back. */
   #free() {
     this.#life?.abort();
-    this.#load?.abort();
-    this.#load = undefined;
-    this.#stage.stop();
-    this.#pool.end();
-    [this.#info, this.#view, this.#start] = [undefined, undefined, undefined];
+    this.#forget();
+    this.#load = this.#again = undefined;
     clearTimeout(this.#speak);
     this.#blank();
+  }
+
+  /** Lets go of the scene: nobody is told of it any more, and there is room for another one. */
+  #forget() {
+    this.#load?.abort();
+    this.#stage.stop();
+    this.#pool.end();
+    this.#info = this.#view = this.#start = undefined;
   }
 
   /** Nothing is on the canvas. */

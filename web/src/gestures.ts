@@ -93,7 +93,9 @@ export function listenToPresses(element: HTMLElement, pressed: (x: number, y: nu
   element.addEventListener("click", (event) => {
     if (Math.hypot(event.clientX - start.x, event.clientY - start.y) > STILL) return;
     const box = element.getBoundingClientRect();
-    pressed(event.clientX - box.x, event.clientY - box.y);
+    // A page may show it scaled, by a transform.
+    const scale = element.clientWidth / box.width;
+    pressed((event.clientX - box.x) * scale, (event.clientY - box.y) * scale);
   }, { signal });
   element.addEventListener("keydown", (event) => {
     if (event.key === "Enter") pressed(element.clientWidth / 2, element.clientHeight / 2);

@@ -137,7 +137,12 @@ export class Device {
   }
 
   async #compile(module: Module, { isMatte, constants: pairs }: Specialized): Promise<object> {
-    const code = (await modules())[module.lines[isMatte ? 0 : 1]]!;
+    const texts = await modules().catch((error) => {
+      // Who tries again has a device that does not know of this.
+      Device.#ofPage = undefined;
+      throw error;
+    });
+    const code = texts[module.lines[isMatte ? 0 : 1]]!;
     const compiled = this.device.createShaderModule({ code });
     const layout = this.device.createPipelineLayout({ bindGroupLayouts: [this.layoutOf(module)] });
     const constants: Record<string, number> = {};

@@ -105,17 +105,19 @@ export function parseOrbit(text: string, start: Orbit): Orbit | undefined {
   return isWhole ? (orbit as Orbit) : undefined;
 }
 
+/** Whether text leaves it to the scene. */
+const isAuto = (text: string) => ["auto", ""].includes(text.trim());
+
 /** A place as text, `X Y Z` in world units, `auto` for that of `start`. */
 export function parseTarget(text: string, start: Vector): Vector | undefined {
-  const parts = text.trim().split(/\s+/);
-  if (parts.length === 1 && (parts[0] === "auto" || parts[0] === "")) return start;
-  const target = parts.map((part, axis) => (part === "auto" ? start[axis]! : Number(part.replace(/m$/, ""))));
+  if (isAuto(text)) return start;
+  const target = text.trim().split(/\s+/).map((part, axis) => (part === "auto" ? start[axis]! : Number(part.replace(/m$/, ""))));
   return target.length === 3 && target.every(Number.isFinite) ? (target as Vector) : undefined;
 }
 
 /** A box as text, `X Y Z X Y Z`: its lowest corner, and its highest one, which is above it along every axis; no numbers for `auto`. `undefined` for other text. */
 export function parseBox(text: string): Float32Array | undefined {
-  if (text.trim() === "auto" || text.trim() === "") return new Float32Array();
+  if (isAuto(text)) return new Float32Array();
   const box = new Float32Array(text.trim().split(/[\s,]+/).map(Number));
   const isSound = box.length === 6 && box.every(Number.isFinite) && [0, 1, 2].every((axis) => box[axis]! < box[axis + 3]!);
   return isSound ? box : undefined;
@@ -123,7 +125,7 @@ export function parseBox(text: string): Float32Array | undefined {
 
 /** A field of view as text, degrees up and down. */
 export function parseFieldOfView(text: string, start: number): number | undefined {
-  return text.trim() === "auto" || text.trim() === "" ? start : angle(text.trim());
+  return isAuto(text) ? start : angle(text.trim());
 }
 
 /** An orbit as text. */

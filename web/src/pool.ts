@@ -28,8 +28,8 @@ function moduleOf(name: ModuleName, files: Files | undefined): Promise<WebAssemb
 async function compile(url: URL): Promise<WebAssembly.Module> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url.pathname}: the server answers ${response.status} ${response.statusText}`.trim());
-  // Servers that do not know the type of these files are no hindrance.
-  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  // Servers that do not know the type of these files, or add a charset to it, are no hindrance.
+  if (response.headers.get("content-type") === "application/wasm") return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }
 

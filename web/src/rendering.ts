@@ -124,14 +124,19 @@ export class Rendering {
     const more = Math.max(1, Math.min(band.samples, Math.floor((PATIENCE * tracer.rate) / pixels)));
     const target = Math.min(samples, band.samples === 0 ? 1 : band.samples + more);
     const { y0, y1, words } = band;
-    const { toneMapping, exposure } = this.look;
-    const part: PartRequest = { ...view, y0, y1, samples: target, toneMapping, exposure };
+    let { look } = this;
+    const part: PartRequest = { ...view, y0, y1, samples: target, toneMapping: look.toneMapping, exposure: look.exposure };
     band.isBusy = true;
     try {
       // Copied, not given away: where the worker fails, another goes on from here.
       const answer = await tracer.call("render", [words ? { ...part, words } : part]);
       const rate = (pixels * (target - band.samples)) / Math.max(answer.milliseconds, 0.1);
       tracer.rate += 0.3 * (rate - tracer.rate);
+      // Another look that was asked for meanwhile: it may be the band's last pass.
+      while (look !== this.look) {
+        look = this.look;
+        answer.shown = await tracer.call("show", [answer.words, look.toneMapping, look.exposure]);
+      }
       Object.assign(band, { samples: target, words: answer.words, shown: answer.shown });
     } finally {
       band.isBusy = false;

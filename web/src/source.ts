@@ -20,28 +20,33 @@ export function builtIn(src: string): Source | undefined {
 
 /** The last part of an address: the name of its file. */
 export function fileName(url: URL): string {
-  return decodeURIComponent(url.pathname.split("/").pop() || url.hostname);
+  const name = url.pathname.split("/").pop() || url.hostname;
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    // Not every % begins an escape, and not every escape is of UTF-8.
+    return name;
+  }
 }
 
-/** The bytes of a file from its server. `onProgress` is told the share that has arrived, or nothing where the server does not say how much there is. */
+/** The bytes of a file from its server; of what fails once `signal` has ended it nobody is to be told. `onProgress` is told the share that has arrived, or
+ * nothing where the server does not say how much there is. */
 export async function download(url: URL, signal: AbortSignal, onProgress: (share: number | undefined) => void): Promise<Uint8Array> {
-  let response: Response;
-  try {
-    response = await fetch(url, { signal });
-  } catch (error) {
-    if (signal.aborted) throw error;
+  const failed = (what: string): never => {
+    throw new Error(`${fileName(url)}: ${what}`.trim());
+  };
+  const response = await fetch(url, { signal }).catch(() => {
     const isForeign = url.origin !== location.origin;
-    const hint = isForeign ? "; a server elsewhere must allow this page by Access-Control-Allow-Origin" : "";
-    throw new Error(`${fileName(url)}: the server cannot be reached${hint}`);
-  }
-  if (!response.ok) throw new Error(`${fileName(url)}: the server answers ${response.status} ${response.statusText}`.trim());
+    return failed(`the server cannot be reached${isForeign ? "; a server elsewhere must allow this page by Access-Control-Allow-Origin" : ""}`);
+  });
+  if (!response.ok) failed(`the server answers ${response.status} ${response.statusText}`);
   // Of packed transfers the header has another length than the file.
   const isPlain = !response.headers.get("content-encoding");
   const total = isPlain ? Number(response.headers.get("content-length")) : 0;
   const chunks: Uint8Array[] = [];
   let length = 0;
   for (const reader = response.body!.getReader(); ; ) {
-    const { done, value } = await reader.read();
+    const { done, value } = await reader.read().catch(() => failed("the connection to the server broke off"));
     if (done) break;
     chunks.push(value);
     length += value.length;

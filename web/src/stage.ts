@@ -41,6 +41,7 @@ class Turn {
 
 export class Stage {
   readonly #context: CanvasRenderingContext2D;
+  private look!: Look;
   #moving: Turn | undefined;
   #still: Rendering | undefined;
   /** Which of `SCALES`, and the milliseconds of the pictures since it is. */
@@ -61,7 +62,6 @@ export class Stage {
     private readonly canvas: HTMLCanvasElement,
     private readonly pool: Pool,
     private readonly events: Events,
-    private look: Look,
   ) {
     this.#context = canvas.getContext("2d", { alpha: false })!;
   }
@@ -76,7 +76,7 @@ export class Stage {
     if (!this.#moving) this.#renderMoving();
   }
 
-  /** Another exposure or curve: of films that are there already. */
+  /** Another exposure or curve, also of films that are there already; the first one is given before anything is shown. */
   async setLook(look: Look) {
     this.look = look;
     const still = this.#still;
@@ -89,7 +89,9 @@ export class Stage {
       const tracer = this.pool.ready[band.y0 % this.pool.ready.length];
       if (!tracer || repaint !== this.#repaints || this.#still !== still) return;
       const words = band.words!;
-      band.shown = await tracer.call("show", [words, look.toneMapping, look.exposure]).catch(() => band.shown!);
+      const shown = await tracer.call("show", [words, look.toneMapping, look.exposure]).catch(() => band.shown!);
+      // A band that got more samples meanwhile has its own.
+      if (band.words === words) band.shown = shown;
       if (this.#still === still) this.#draw(band, still);
     }
   }

@@ -10,18 +10,18 @@ const STYLE = `
   :host { --back: var(--voxtrace-background, #16181c); --ink: var(--voxtrace-color, #eceef2); --panel: #24272dee; --accent: var(--voxtrace-accent, #8ab4ff); --alarm: #ffb4ab; }
 }
 :host([hidden]) { display: none; }
-canvas, .poster { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
+canvas, .poster { position: absolute; inset: 0; width: 100%; height: 100%; }
 canvas { outline: none; }
 canvas.blank { opacity: 0; }
 :host([camera-controls]) canvas { touch-action: none; cursor: grab; }
 :host([camera-controls]) canvas:active { cursor: grabbing; }
 .ring { position: absolute; inset: 0; pointer-events: none; border: 3px solid transparent; }
 canvas:focus-visible ~ .ring, .poster:focus-visible ~ .ring, :host([dropping]) .ring { border-color: var(--accent); }
-.poster { background: center / contain no-repeat; border: 0; padding: 0; outline: none; transition: opacity .3s; }
+.poster { background: center / contain no-repeat; outline: none; transition: opacity .3s; }
 .poster[role] { cursor: pointer; }
 .poster.gone { opacity: 0; visibility: hidden; transition: opacity .3s, visibility 0s .3s; pointer-events: none; }
-.bar { position: absolute; left: 0; right: 0; top: 0; height: 4px; background: transparent; }
-.bar > div { height: 100%; width: 100%; transform-origin: left; transform: scaleX(0); background: var(--accent); }
+.bar { position: absolute; inset: 0 0 auto; height: 4px; }
+.bar > div { height: 100%; transform-origin: left; transform: scaleX(0); background: var(--accent); }
 .bar.endless > div { width: 30%; transform: none; animation: wait 1.2s infinite alternate ease-in-out; }
 @keyframes wait { to { margin-left: 70%; } }
 .bar[hidden], .message[hidden], button[hidden] { display: none; }

@@ -160,6 +160,14 @@ test("a file that is dropped is shown and goes to no server", async () => {
   await drop("mine.glb", readFileSync(join(context.files, "city.glb")));
   const mesh = await event(page, "load", 1);
   assert.ok(mesh.info.voxels > 10_000);
+  // Another tracer takes the same file, and a page may keep files for itself.
+  await page.evaluate(() => (window.viewer.tracer = "cpu"));
+  assert.equal((await event(page, "load", 2)).url, "mine.glb");
+  await page.evaluate(() => (window.viewer.noDrop = true));
+  assert.equal(await page.evaluate(() => window.viewer.hasAttribute("no-drop")), true);
+  await drop("mine.vox", readFileSync(join(context.files, "city.vox")));
+  await page.waitForTimeout(500);
+  assert.deepEqual([await count(page, "load"), await page.evaluate(() => window.viewer.loaded)], [3, true]);
   assert.ok(sent.every((request) => request.method() === "GET" && !request.url().includes("mine")));
   await page.close();
 });
@@ -181,6 +189,8 @@ test("what goes wrong is told in the library's own words", async () => {
     const shown = page.locator("voxtrace-viewer").getByRole("alert");
     assert.equal(await shown.textContent(), message);
     assert.equal(await page.evaluate(() => window.viewer.loaded), false);
+    for (let wait = 0; page.workers().length > 0 && wait < 50; wait++) await page.waitForTimeout(100);
+    assert.equal(page.workers().length, 0, "nobody keeps memory for what is not shown");
     // The next scene is shown as if nothing had been.
     await page.evaluate(() => {
       window.events = [];
@@ -201,6 +211,25 @@ test("the picture of the scene before does not stay behind an error", async () =
   await page.evaluate(() => (window.viewer.src = "/files/nothing.vox"));
   await event(page, "error");
   assert.deepEqual([await opacity(), await variance(page)], ["0", 0]);
+  await page.close();
+});
+
+test("a picture has the pixels of the screen where that changes alone, and is drawn again on a canvas that the browser emptied", async () => {
+  const page = await open(SCENE);
+  assert.equal((await event(page, "still")).width, 320);
+  await page.evaluate(() => {
+    const canvas = window.viewer.shadowRoot.querySelector("canvas");
+    canvas.width = canvas.width;
+  });
+  assert.equal(await variance(page), 0);
+  await page.evaluate(() => window.viewer.shadowRoot.querySelector("canvas").dispatchEvent(new Event("contextrestored")));
+  for (let wait = 0; (await variance(page)) < 100 && wait < 50; wait++) await page.waitForTimeout(100);
+  assert.ok((await variance(page)) > 100);
+  assert.equal(await count(page, "still"), 1, "nothing is traced for that");
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setDeviceMetricsOverride", { width: 640, height: 480, deviceScaleFactor: 2, mobile: false });
+  const { width, height } = await event(page, "still", 1);
+  assert.deepEqual([width, height], [640, 360]);
   await page.close();
 });
 
@@ -249,6 +278,25 @@ test("exposure changes what is shown and not the film, and attributes place the 
   await page.close();
 });
 
+test("what was set before the element was in a page holds, also before there was its class", async () => {
+  const sum = (page) => page.evaluate(() => [...window.viewer.shadowRoot.querySelector("canvas").getContext("2d").getImageData(0, 100, 320, 1).data].reduce((a, b) => a + b));
+  const [page, early] = [await open(SCENE), await open({ ...SCENE, exposure: "3" })];
+  for (const each of [page, early]) await event(each, "still");
+  const [dark, bright] = [await sum(page), await sum(early)];
+  assert.ok(bright > dark, `${bright} and ${dark}`);
+  await page.evaluate(() => (window.viewer.exposure = 3));
+  for (let wait = 0; (await sum(page)) !== bright && wait < 50; wait++) await page.waitForTimeout(100);
+  assert.equal(await sum(page), bright);
+  await early.close();
+
+  const set = 'Object.assign(document.querySelector("voxtrace-viewer"), { src: "city.vox", samples: 1, cameraControls: true });';
+  writeFileSync(join(context.files, "early.html"), `<!doctype html><voxtrace-viewer></voxtrace-viewer><script>${set}</script><script type="module" src="/package/voxtrace.js"></script>`);
+  await page.goto(`${context.server.address}/files/early.html`);
+  await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film?.()?.samples === 1);
+  assert.deepEqual(await page.evaluate(() => document.querySelector("voxtrace-viewer").getAttributeNames().sort()), ["camera-controls", "samples", "src"]);
+  await page.close();
+});
+
 test("it turns by itself unless a person prefers less motion, and can be stopped", async () => {
   const page = await open({ ...SCENE, "auto-rotate": "" });
   await event(page, "load");
@@ -280,6 +328,7 @@ test("a lazy viewer loads when it comes into view, and a poster waits for a pres
   await page.waitForTimeout(500);
   assert.deepEqual([await isGone(), await film(), await count(page, "still")], [false, undefined, 0], "what a poster covers is not traced");
   assert.equal(await page.locator("voxtrace-viewer").getByRole("progressbar").count(), 0, "and nothing seems to load");
+  assert.equal(await page.evaluate(() => window.viewer.toBlob().catch((error) => error.message)), "there is no picture");
   const at = await middle(page);
   await page.mouse.click(at.x, at.y);
   assert.equal(await isGone(), true);
@@ -298,16 +347,31 @@ test("a lazy viewer loads when it comes into view, and a poster waits for a pres
   await page.evaluate(() => {
     const other = document.createElement("voxtrace-viewer");
     other.setAttribute("loading", "lazy");
-    other.setAttribute("src", "/files/city.vox?other");
     other.style.marginTop = "3000px";
     document.body.append(other);
+    other.src = "/files/city.vox?other";
     window.other = other;
   });
   const asked = () => context.server.asked.length;
   const before = asked();
   await page.waitForTimeout(300);
   assert.equal(asked(), before, "what nobody sees is not asked for");
+  await page.evaluate(() => (window.other.src = "/files/city.vox?another"));
+  await page.waitForTimeout(300);
+  assert.equal(asked(), before, "nor is another one");
   await page.evaluate(() => window.other.scrollIntoView());
   await page.waitForFunction(() => window.other.loaded);
+  // Nor does it wait where it is no longer to.
+  await page.evaluate(() => {
+    const last = document.createElement("voxtrace-viewer");
+    Object.assign(last, { loading: "lazy", src: "/files/city.vox" });
+    last.style.marginTop = "3000px";
+    document.body.append(last);
+    window.last = last;
+  });
+  await page.waitForTimeout(300);
+  assert.equal(await page.evaluate(() => window.last.loaded), false);
+  await page.evaluate(() => (window.last.loading = "eager"));
+  await page.waitForFunction(() => window.last.loaded);
   await page.close();
 });

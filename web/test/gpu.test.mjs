@@ -146,6 +146,23 @@ const WITHOUT = {
     },
   },
 };
+test("shaders that come when they are asked for again are used", async (t) => {
+  if (skipsWebGpu(t)) return;
+  run("convert", "city", join(context.files, "small.vox"), "--voxels", "20k");
+  const page = await watched({}, {});
+  await page.evaluate(() => {
+    const load = window.fetch;
+    let asked = 0;
+    window.fetch = (url, ...more) => load(String(url).endsWith("shaders.wgsl") && asked++ === 0 ? "/test/nothing.wgsl" : url, ...more);
+  });
+  await setAttributes(page, { ...asked, src: "/files/small.vox" });
+  await event(page, "still");
+  assert.equal(await page.evaluate(() => window.viewer.activeTracer), "gpu");
+  assert.match(page.said.join("\n"), /the GPU is started again: shaders\.wgsl/);
+  assert.equal(differences((await filmOf(page)).words, native([join(context.files, "small.vox")], { ...size, seed: 7 })), 0, "pixels that differ");
+  await page.close();
+});
+
 for (const [name, { tracer, prepare, says }] of Object.entries(WITHOUT)) {
   test(`with ${name} the processor traces, and the film is the same`, async (t) => {
     if (skipsWebGpu(t)) return;

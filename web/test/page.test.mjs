@@ -81,6 +81,8 @@ test("the packed package needs two lines in an empty page, and its types hold", 
   const example = readFileSync(join(web, "examples/react.tsx"), "utf8");
   assert.equal(check("react.tsx", example), "");
   assert.match(check("wrong.tsx", example.replace("samples={4}", 'loading="soon"')), /soon/);
+  assert.match(check("box.tsx", example.replace("samples={4}", "clip-box={4}")), /not assignable/);
+  assert.equal(check("pick.tsx", example.replace("samples={4}", 'onvoxel-pick={({ detail }) => setText(String(detail?.voxel))}')), "");
 });
 
 test("the example of React shows a picture and hears of it", async () => {

@@ -48,6 +48,17 @@ test("a press tells the voxel that the picture shows there, and a drag tells non
   await page.close();
 });
 
+test("a press on an element that its page shows scaled tells the voxel that is seen there", async () => {
+  const page = await open(SCENE);
+  await event(page, "still");
+  await press(page, 160, 100);
+  const { voxel } = await event(page, "voxel-pick");
+  await page.evaluate(() => Object.assign(window.viewer.style, { transform: "scale(.5)", transformOrigin: "0 0" }));
+  await press(page, 80, 50);
+  assert.deepEqual((await event(page, "voxel-pick", 1)).voxel, voxel);
+  await page.close();
+});
+
 test("a clip box shows what render shows of it, and other text is said to be none", async () => {
   const size = { width: 96, height: 54, samples: 2, seed: 3 };
   const page = await open(SCENE, { width: 96, height: 54 });

@@ -85,6 +85,29 @@ test("one that had nothing left to do takes the last band of one that fails", as
   check(rendering);
 });
 
+test("what is shown of a band has the look of now, also where that changed while its last samples were traced", async () => {
+  const brighter = (exposure) => ({ ...look, exposure });
+  const worker = {
+    rate: 1e6,
+    async call(name, given) {
+      await soon();
+      if (name === "show") {
+        // And once more while that is shown.
+        if (given[2] === 1) rendering.look = brighter(2);
+        return new Uint8ClampedArray([given[2]]);
+      }
+      const [part] = given;
+      if (part.samples === SAMPLES) rendering.look = brighter(1);
+      return { words: new Uint8Array(part.width * (part.y1 - part.y0) * 32), shown: new Uint8ClampedArray([part.exposure]), milliseconds: 1 };
+    },
+  };
+  const rendering = new Rendering(picture, look, { rate: 0.1, workers: 2 }, () => {}, async () => []);
+  void rendering.work(worker);
+  await rendering.finished;
+  assert.ok(rendering.bands.length > 1);
+  assert.deepEqual(rendering.bands.map(({ shown }) => shown[0]), rendering.bands.map(() => 2));
+});
+
 test("it fails with the last one of them, and not where it was stopped", async () => {
   const workers = [3, 1, 2].map((most) => new Fake((parts) => parts >= most));
   await assert.rejects(renderingOf(workers).finished, /failed at part 3/);

@@ -116,6 +116,31 @@ test("a scene whose view is not known yet when another one is asked for is not s
   await page.close();
 });
 
+test("a module whose type has a charset is compiled as well", async () => {
+  const page = await open({}, size);
+  await page.route("**/voxtrace.wasm", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, headers: { ...response.headers(), "content-type": "application/wasm; charset=utf-8" } });
+  });
+  await setAttributes(page, { ...SCENE, src: "/files/city.vox" });
+  await event(page, "still");
+  assert.deepEqual([await count(page, "error"), page.errors], [0, []]);
+  await page.close();
+});
+
+test("while another scene arrives nothing is told of the last one, and its workers are gone", async () => {
+  const page = await open({ ...SCENE, src: "/files/city.vox" }, size);
+  await event(page, "still");
+  const ray = [0, 0, 1000, 0, 0, 0, -1, 1e9];
+  assert.equal(await page.evaluate(async (ray) => (await window.viewer.cast(new Float32Array(ray))).length, ray), 6);
+  await setAttributes(page, { src: "/files/church.vox?rate=1000" });
+  const told = await page.evaluate((ray) => window.viewer.cast(new Float32Array(ray)).catch((error) => error.message), ray);
+  assert.deepEqual([told, await page.evaluate(() => window.viewer.activeTracer)], ["no scene was loaded", undefined]);
+  assert.equal(await workers(page, 0), 0);
+  assert.deepEqual([await count(page, "error"), page.errors], [0, []]);
+  await page.close();
+});
+
 for (const [which, parts] of [["one of four workers fails", { 2: 2 }], ["the first worker fails", { 1: 3 }], ["all workers but the last fail", { 1: 5, 2: 2, 3: 1 }]]) {
   test(`where ${which}, the others go on with the same film`, async () => {
     const page = await open({}, size);

@@ -68,10 +68,15 @@ class WidgetView {
     const wanted = this.model.get("renderer");
     const inBrowser = wanted === "browser" || (wanted === "auto" && !isRefused && canTrace() && this.model.get("_about").bytes <= MOST_BYTES);
     this.#shown?.end();
+    const tracer = inBrowser ? "traced in this browser" : "traced by the kernel";
     const events: Events = {
       camera: (numbers) => this.#moved(numbers),
       picked: (voxel) => this.model.send({ ask: "picked", picked: voxel }),
-      samples: (count) => this.#tell({ samples_shown: count }),
+      samples: (count) => {
+        // What went wrong before is over.
+        this.#tracer.textContent = tracer;
+        this.#tell({ samples_shown: count });
+      },
       failed: (message) => {
         // A page that lets nobody start workers, a worker without memory: the kernel can.
         if (inBrowser && wanted === "auto") this.#begin(true);
@@ -79,7 +84,7 @@ class WidgetView {
       },
     };
     this.#shown = inBrowser ? new BrowserView(this.#kernel, events) : new RemoteView(this.#kernel, events);
-    this.#tracer.textContent = inBrowser ? "traced in this browser" : "traced by the kernel";
+    this.#tracer.textContent = tracer;
     this.#tell({ tracer: inBrowser ? "browser" : "kernel", samples_shown: 0 });
     this.#stage.replaceChildren(this.#shown.element);
     const camera = this.model.get("_camera");

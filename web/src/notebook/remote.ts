@@ -50,8 +50,8 @@ export class RemoteView implements Shown {
     const { signal } = this.#life;
     listen(this.element, moves, () => !!this.#view, signal);
     listenToPresses(this.element, (x, y) => void this.#press(x, y), signal);
-    const seen = new IntersectionObserver(([entry]) => {
-      this.#isVisible = !!entry?.isIntersecting;
+    const seen = new IntersectionObserver((entries) => {
+      this.#isVisible = entries.at(-1)!.isIntersecting;
       void this.#work();
     });
     const sized = new ResizeObserver(() => this.refresh());
@@ -71,6 +71,8 @@ export class RemoteView implements Shown {
   look(numbers: number[]) {
     if (this.#exact && isSameCamera(this.#exact, numbers)) return;
     [this.#exact, this.#view] = [numbers, viewOf(numbers)];
+    // Where it has a camera from the start, that is the first view.
+    this.#home ??= numbers;
     this.refresh();
   }
 
@@ -119,10 +121,14 @@ export class RemoteView implements Shown {
         this.events.samples(content.samples);
       }
     } catch (error) {
-      if (!(error instanceof Ended)) this.events.failed(error instanceof Error ? error.message : String(error));
+      this.#fail(error);
     } finally {
       this.#isAsking = false;
     }
+  }
+
+  #fail(error: unknown) {
+    if (!(error instanceof Ended)) this.events.failed(error instanceof Error ? error.message : String(error));
   }
 
   #isWanted() {
@@ -145,7 +151,11 @@ export class RemoteView implements Shown {
   async #press(x: number, y: number) {
     if (!this.#exact) return;
     const place = { x, y, width: this.element.clientWidth, height: this.element.clientHeight };
-    const { content } = await this.kernel.ask<{ picked: Picked | null }>({ ask: "pick", camera: this.#exact, ...place });
-    this.events.picked(content.picked);
+    try {
+      const { content } = await this.kernel.ask<{ picked: Picked | null }>({ ask: "pick", camera: this.#exact, ...place });
+      this.events.picked(content.picked);
+    } catch (error) {
+      this.#fail(error);
+    }
   }
 }
