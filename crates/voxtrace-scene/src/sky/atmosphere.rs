@@ -307,8 +307,8 @@ mod tests {
                 assert!(apart(ours, exact) < 0.05, "{height} {above}: {ours} {exact}");
                 assert!(apart(of(4, TABLE_STEPS), exact) > 0.05, "{height} {above}: few directions are noticed");
             }
-            for z in [1.0, 0.5, 0.1] {
-                let along = DVec3::new(0.0, (1.0 - z * z as f64).sqrt(), z);
+            for z in [1.0_f64, 0.5, 0.1] {
+                let along = DVec3::new(0.0, (1.0 - z * z).sqrt(), z);
                 let seen = |steps| lit.along(DVec3::Z * (GROUND + EYE), along, steps, true).radiance;
                 assert!(apart(seen(STEPS), seen(4000)) < 0.02, "{height} {z}: {} {}", seen(STEPS), seen(4000));
             }
