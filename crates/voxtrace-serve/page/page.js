@@ -185,7 +185,7 @@ function add(files) {
 /** Sends a file, and asks before it takes another's place. */
 async function addOne(file, folder, line, bar) {
   // A server that has had enough hangs up, and browsers do not tell why.
-  if (file.size > server.largest_upload) return say(line, `${file.name}: it is larger than the ${bytesText(server.largest_upload)} that this server takes`, "alarm");
+  if (file.size > server?.largest_upload) return say(line, `${file.name}: it is larger than the ${bytesText(server.largest_upload)} that this server takes`, "alarm");
   let answer = await send(file, folder, false, bar);
   if (answer.status === 409 && (await wantsToReplace(answer.said.error))) answer = await send(file, folder, true, bar);
   if (answer.status === 201) {
