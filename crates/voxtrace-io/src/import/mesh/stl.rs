@@ -348,7 +348,13 @@ mod tests {
                 (large.colors(), large.frame().materials.clone()),
                 (SourceColors::Bytes, mesh.materials.clone())
             );
-            large.for_each(&mut |piece| piece.colors == mesh.colors || panic!("{:?}", piece.colors)).unwrap();
+            let mut pieces = 0;
+            let mut each = |piece: &Mesh| {
+                pieces += 1;
+                piece.colors == mesh.colors || panic!("{:?}", piece.colors)
+            };
+            large.for_each(&mut each).unwrap();
+            assert_eq!(pieces, 1);
         }
         // Without the bit of VisCAM they are something else.
         let mesh = read_bytes(&with(b"", [1, 2, 3])).unwrap();

@@ -34,12 +34,18 @@ pub(super) fn holds_regions(folder: &Path) -> bool {
 
 /// The regions of a world, by z, then x.
 fn regions(folder: &Path) -> std::io::Result<Vec<(IVec2, PathBuf)>> {
-    let inner = REGIONS.map(|inner| folder.join(inner)).into_iter().find(|inner| inner.is_dir());
+    let inner = REGIONS.map(|inner| folder.join(inner)).into_iter().filter(|inner| inner.is_dir());
     let mut found = Vec::new();
-    for entry in std::fs::read_dir(inner.as_deref().unwrap_or(folder))? {
-        let path = entry?.path();
-        if let Some(place) = place_of(&path) {
-            found.push((place, path));
+    for folder in inner.chain([folder.to_path_buf()]) {
+        for entry in std::fs::read_dir(folder)? {
+            let path = entry?.path();
+            if let Some(place) = place_of(&path) {
+                found.push((place, path));
+            }
+        }
+        // One of them may be there and empty.
+        if !found.is_empty() {
+            break;
         }
     }
     // A world that was brought to 1.2 keeps its old files beside the new ones.

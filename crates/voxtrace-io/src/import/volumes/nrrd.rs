@@ -70,7 +70,11 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
     };
     let is_text = samples.is_text;
     // Sequences of 3D Slicer have time as their first axis, so that the time points of a place lie side by side.
-    let is_time = first == 1 && matches!(header.kinds.first().map(String::as_str), Some("time" | "list"));
+    let is_time = match header.kinds.first().map(String::as_str) {
+        Some("time") => first == 1,
+        Some("list") => first == 1 && volumes == 1,
+        _ => false,
+    };
     let (mut channel, mut note) = (options.channel, None);
     let mut behind = Cow::Borrowed(options);
     if is_time {

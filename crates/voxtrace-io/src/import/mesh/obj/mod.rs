@@ -253,9 +253,11 @@ fn numbers_of(rest: &[u8], numbers: &mut [f64]) -> Result<usize, String> {
 /// Linear colours of vertices, white where the file has none. Signals are shares, but bytes where they are as large as those: some programs
 /// write them so.
 fn linear_colors(colors: &[Option<Vec3>]) -> Vec<Vec4> {
-    let largest = colors.iter().flatten().flat_map(|color| color.to_array()).fold(0.0, f32::max);
+    let channels = || colors.iter().flatten().flat_map(|color| color.to_array());
+    let largest = channels().fold(0.0, f32::max);
     // Colours that are brighter than white are shares yet, and a stray value is none of a byte.
-    let full = if (16.0..256.0).contains(&largest) { 255.0 } else { 1.0 };
+    let are_bytes = (16.0..256.0).contains(&largest) && channels().all(|channel| channel.fract() == 0.0);
+    let full = if are_bytes { 255.0 } else { 1.0 };
     let linear = |color: Vec3| Vec3::from((color / full).to_array().map(linear_from_signal)).extend(1.0);
     colors.iter().map(|color| color.map_or(Vec4::ONE, linear)).collect()
 }

@@ -92,6 +92,10 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
 fn set_look(mesh: &mut Mesh, textures: &[String], has_uvs: bool, folder: &Folder, limits: &Limits) {
     mesh.materials.resize_with(textures.len().max(1), MeshMaterial::default);
     for (at, name) in textures.iter().enumerate() {
+        if let Some(before) = textures[..at].iter().position(|before| before == name) {
+            mesh.materials[at] = mesh.materials[before].clone();
+            continue;
+        }
         if !has_uvs {
             mesh.notes
                 .push(format!("the texture {name:?} is left out: neither vertices nor faces have coordinates on it"));

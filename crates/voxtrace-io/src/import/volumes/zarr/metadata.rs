@@ -84,7 +84,9 @@ impl Array {
 
     /// Takes what attributes say by the conventions of netCDF (CF 1.11, section 8.1), and of xarray the names of the axes.
     fn describe(&mut self, attributes: &Value) {
-        let number = |name: &str| attributes[name].as_f64().or(attributes[name][0].as_f64());
+        // Of several numbers none is that of all samples.
+        let only = |all: &Vec<Value>| if let [one] = &all[..] { one.as_f64() } else { None };
+        let number = |name: &str| attributes[name].as_f64().or_else(|| attributes[name].as_array().and_then(only));
         let slope = number("scale_factor").filter(|&slope| slope != 0.0).unwrap_or(1.0);
         self.rescale = (slope, number("add_offset").unwrap_or(0.0));
         self.fill = (f64::from(self.fill) * slope + self.rescale.1) as f32;

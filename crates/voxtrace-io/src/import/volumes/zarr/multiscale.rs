@@ -32,7 +32,8 @@ impl Level {
     pub fn alone(array: Array) -> Self {
         let axes = axes(&array, &array.names);
         let find = |names: &[&str]| array.names.iter().position(|own| names.contains(&&*own.to_ascii_lowercase()));
-        let (time, channel) = (find(&TIME), find(&CHANNEL));
+        // Names may be more than axes.
+        let [time, channel] = [find(&TIME), find(&CHANNEL)].map(|axis| axis.filter(|&axis| axis < array.shape.len()));
         Self { array, axes, spacing: [1.0; 3], origin: [0.0; 3], time, channel, channels: Vec::new() }
     }
 
@@ -118,6 +119,7 @@ pub(super) fn levels(store: &Store, limits: &Limits) -> Result<Option<(Vec<Level
         }
         let pick = |all: &[f64], otherwise: f64| own.map(|axis| axis.map_or(otherwise, |axis| all[axis]));
         let (spacing, origin) = (pick(&scale, 1.0), pick(&shift, 0.0));
+        let [time, channel] = [time, channel].map(|axis| axis.filter(|&axis| axis < array.shape.len()));
         levels.push(Level { array, axes: own, spacing, origin, time, channel, channels: channels.clone() });
     }
     let own = levels.first().map_or([None; 3], |level| level.axes);

@@ -101,14 +101,14 @@ impl Store {
     }
 }
 
-/// JSON with `null` for `NaN` and `Infinity`, which are none, but which Python writes.
+/// JSON with texts for `NaN` and `Infinity`, which are none, but which Python writes.
 fn without_numbers_of_python(json: &[u8]) -> Vec<u8> {
     let (mut found, mut rest, mut is_text) = (Vec::with_capacity(json.len()), json, false);
     while let [first, after @ ..] = rest {
         let words: [&[u8]; 3] = [b"NaN", b"Infinity", b"-Infinity"];
-        if let Some(after) = words.iter().find_map(|word| rest.strip_prefix(*word)).filter(|_| !is_text) {
-            found.extend(b"null");
-            rest = after;
+        if let Some(word) = words.into_iter().find(|word| rest.starts_with(word)).filter(|_| !is_text) {
+            found.extend([b"\"", word, b"\""].concat());
+            rest = &rest[word.len()..];
             continue;
         }
         // What stands behind a backslash ends no text.
@@ -129,9 +129,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_that_python_writes_into_json_are_null_outside_of_texts() {
+    fn numbers_that_python_writes_into_json_are_texts() {
         let found = without_numbers_of_python(br#"{"a": NaN, "b\"NaN": [-Infinity, Infinity, -1], "c": "NaN\\"}"#);
-        assert_eq!(found, br#"{"a": null, "b\"NaN": [null, null, -1], "c": "NaN\\"}"#);
+        assert_eq!(found, br#"{"a": "NaN", "b\"NaN": ["-Infinity", "Infinity", -1], "c": "NaN\\"}"#);
         assert_eq!(without_numbers_of_python(b"\"\\"), b"\"\\");
     }
 }
