@@ -7,7 +7,7 @@ use crate::outputs;
 use crate::picture::path_of_view;
 use crate::report::Report;
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -279,20 +279,6 @@ fn state_of(path: &str) -> String {
     format!("{length} {} {path}", changed.map_or(0, |time| time.as_nanos()))
 }
 
-/// A new empty file beside a clip, under a name that no other file has.
-fn file_beside(clip: &Path) -> io::Result<PathBuf> {
-    let name = clip.file_name().unwrap_or_default().to_string_lossy();
-    for attempt in 0..1000 {
-        let path = clip.with_file_name(format!(".{name}.{attempt}.part"));
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Ok(_) => return Ok(path),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Err(io::ErrorKind::AlreadyExists.into())
-}
-
 /// H.264 by ffmpeg, into a file beside the clip that becomes the clip when it is whole.
 fn by_ffmpeg(
     clip: &Path,
@@ -301,11 +287,10 @@ fn by_ffmpeg(
 ) -> Result<(), Failure> {
     outputs::refuse_inputs(clip)?;
     let failed = |error: io::Error| Failure::output(clip, &error);
-    let part = file_beside(clip).map_err(failed)?;
-    let made = encode_by_ffmpeg(clip, &part, options, frames)
-        .and_then(|()| outputs::write(clip, |out| io::copy(&mut File::open(&part)?, out).map(drop)));
-    let _ = std::fs::remove_file(&part);
-    made
+    let folder = clip.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let part = tempfile::Builder::new().prefix(".").suffix(".part").tempfile_in(folder).map_err(failed)?;
+    encode_by_ffmpeg(clip, part.path(), options, frames)?;
+    outputs::write(clip, |out| io::copy(&mut File::open(part.path())?, out).map(drop))
 }
 
 fn encode_by_ffmpeg(

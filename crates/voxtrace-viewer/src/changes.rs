@@ -129,7 +129,7 @@ impl Session {
             return;
         }
         let new_from_old = new.world_from_other(&old);
-        let scale = new_from_old.matrix3.determinant().abs().cbrt() as f32;
+        let scale = Scale::times_as_long(&new_from_old);
         let moved = |point: voxtrace::glam::Vec3| new_from_old.transform_point3(point.as_dvec3()).as_vec3();
         let camera = self.navigator.camera().clone();
         let (eye, target, lens) = (moved(camera.eye), moved(camera.target), camera.lens.scaled(scale));

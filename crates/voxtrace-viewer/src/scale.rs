@@ -45,6 +45,11 @@ impl Scale {
         }
     }
 
+    /// How many times as long a way is in a world that [`Self::world_from_other`] leads to.
+    pub(crate) fn times_as_long(new_from_old: &DAffine3) -> f32 {
+        new_from_old.matrix3.determinant().abs().cbrt() as f32
+    }
+
     /// The short name of the unit, empty where a voxel is a voxel.
     pub fn symbol(&self) -> &'static str {
         match self.unit {

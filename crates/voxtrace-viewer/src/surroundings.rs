@@ -2,6 +2,7 @@
 //! (`docs/decisions/0053-surroundings.md`): a thread makes them, one after the other, while what was there before stays. All of it is also an
 //! option of `voxtrace render`.
 
+use crate::scale::Scale;
 use crate::session::{Command, Session};
 use crate::threads;
 use crate::tr;
@@ -34,7 +35,7 @@ impl Surroundings {
         }
         if let Some(fog) = &mut self.fog {
             // On a way as long as before light is scattered as often.
-            fog.density /= new_from_old.matrix3.determinant().abs().cbrt() as f32;
+            fog.density /= Scale::times_as_long(new_from_old);
         }
     }
 

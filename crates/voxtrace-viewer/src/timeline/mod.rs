@@ -6,6 +6,7 @@ mod play;
 
 pub use file::{TimelineError, scene_of};
 
+use crate::scale::Scale;
 use std::path::{Path, PathBuf};
 use voxtrace::animation::{CameraMotion, CameraTrack, Ease, LookAt};
 use voxtrace::camera::Flight;
@@ -135,7 +136,7 @@ impl Course {
 
     /// Brings it into a world with voxels of another size, or of another place.
     pub(crate) fn transform(&mut self, new_from_old: &DAffine3) {
-        let scale = new_from_old.matrix3.determinant().abs().cbrt() as f32;
+        let scale = Scale::times_as_long(new_from_old);
         let moved = |point: Vec3| new_from_old.transform_point3(point.as_dvec3()).as_vec3();
         for Camera { eye, target, lens, .. } in self.keys.iter_mut().map(|key| &mut key.camera) {
             (*eye, *target, *lens) = (moved(*eye), moved(*target), lens.scaled(scale));
