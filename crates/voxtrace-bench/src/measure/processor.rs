@@ -1,8 +1,9 @@
 //! How much of the processors a measurement got: processor time over wall time, how long its threads waited for one, and what other programs took.
-//! Times on a machine that others use say little. From Linux's `/proc` (schedstat, stat: Documentation/scheduler/sched-stats.rst and proc(5));
-//! elsewhere nothing is known.
+//! Times on a machine that others use say little. From Linux's clock of the process (clock_gettime(2)) and `/proc` (schedstat, stat:
+//! Documentation/scheduler/sched-stats.rst and proc(5)); elsewhere nothing is known.
 
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::time::Instant;
 
 /// Most of its time that a program may wait for processors on a machine that counts as quiet.
@@ -126,7 +127,7 @@ impl Watch {
         Processor {
             wall,
             own: Some(own),
-            waited: after.waited.zip(before.waited).map(|(after, before)| after - before),
+            waited: after.waited.zip(before.waited).map(|(after, before)| waited_between(&before, &after)),
             others: after.all.zip(before.all).map(|(after, before)| after - before - own),
             count: Some(after.count),
             turns: 1,
@@ -136,8 +137,10 @@ impl Watch {
 
 /// Seconds since the start of this program, and of the machine.
 struct Counters {
+    /// Of all threads, those that ended included.
     own: f64,
-    waited: Option<f64>,
+    /// By the number of each thread that there is.
+    waited: Option<HashMap<String, f64>>,
     all: Option<f64>,
     count: usize,
 }
@@ -150,16 +153,35 @@ impl Counters {
         let allowed = processors(list.trim())?;
         let all = read("/proc/stat").and_then(|text| ticks_of_all(&text, &allowed)).map(|ticks| ticks / TICKS);
         let threads = std::fs::read_dir("/proc/self/task").ok()?.flatten();
-        let schedules = threads.map(|thread| std::fs::read_to_string(thread.path().join("schedstat")).ok());
-        // A thread that ended meanwhile has none.
-        let schedules: Vec<(f64, f64)> = schedules.flatten().filter_map(|text| schedule(&text)).collect();
-        let sum = |of: fn(&(f64, f64)) -> f64| schedules.iter().map(of).sum::<f64>();
-        let (own, waited) = match schedules.is_empty() {
-            false => (sum(|ran| ran.0), Some(sum(|ran| ran.1))),
-            true => (ticks_of_one(&read("/proc/self/stat")?)? / TICKS, None),
-        };
-        Some(Self { own, waited, all, count: allowed.len() })
+        // A thread that ended meanwhile has no file.
+        let waited: HashMap<_, _> = threads
+            .filter_map(|thread| {
+                let schedule = std::fs::read_to_string(thread.path().join("schedstat")).ok()?;
+                Some((thread.file_name().into_string().ok()?, waited(&schedule)?))
+            })
+            .collect();
+        let waited = Some(waited).filter(|waited| !waited.is_empty());
+        Some(Self { own: own_time()?, waited, all, count: allowed.len() })
     }
+}
+
+/// Seconds for which the threads had no processor between two readings. What a thread waited that ended between them is not known.
+fn waited_between(before: &HashMap<String, f64>, after: &HashMap<String, f64>) -> f64 {
+    // A number may be that of another thread by now, which began with nothing.
+    let since = |(thread, &now): (&String, &f64)| now - before.get(thread).copied().filter(|&then| then <= now).unwrap_or(0.0);
+    after.iter().map(since).sum()
+}
+
+/// Processor time of this program, seconds.
+#[cfg(target_os = "linux")]
+fn own_time() -> Option<f64> {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    Some(time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn own_time() -> Option<f64> {
+    None
 }
 
 /// The numbers of a list as `0-3,8`.
@@ -186,16 +208,9 @@ fn ticks_of_all(text: &str, allowed: &[usize]) -> Option<f64> {
     (each.len() == allowed.len()).then(|| each.iter().sum())
 }
 
-/// Seconds that a thread ran and waited, of its `schedstat`.
-fn schedule(text: &str) -> Option<(f64, f64)> {
-    let mut nanoseconds = text.split_ascii_whitespace().map(|word| word.parse::<f64>().ok());
-    Some((nanoseconds.next()?? * 1e-9, nanoseconds.next()?? * 1e-9))
-}
-
-/// Ticks of this program, in user mode and in the kernel; its name may hold blanks and brackets.
-fn ticks_of_one(text: &str) -> Option<f64> {
-    let mut words = text.rsplit_once(')')?.1.split_ascii_whitespace().skip(11);
-    Some(words.next()?.parse::<f64>().ok()? + words.next()?.parse::<f64>().ok()?)
+/// Seconds that a thread waited, of its `schedstat`.
+fn waited(text: &str) -> Option<f64> {
+    text.split_ascii_whitespace().nth(1)?.parse::<f64>().ok().map(|nanoseconds| nanoseconds * 1e-9)
 }
 
 #[cfg(test)]
@@ -258,24 +273,33 @@ mod tests {
         assert_eq!(ticks_of_all(stat, &[0, 1]), Some(31.0));
         assert_eq!(ticks_of_all(stat, &[1]), Some(10.0));
         assert_eq!(ticks_of_all(stat, &[1, 2]), None);
-        assert_eq!(schedule("2000000000 500000000 7\n"), Some((2.0, 0.5)));
-        assert_eq!(ticks_of_one("7 (a) b) S 1 2 3 4 5 6 7 8 9 10 30 12 0 0"), Some(42.0));
+        assert_eq!(waited("2000000000 500000000 7\n"), Some(0.5));
+        assert_eq!(waited("2000000000"), None);
     }
 
     #[test]
-    fn a_thread_that_works_is_seen_to_work() {
+    fn threads_that_begin_and_end_take_no_waiting_away() {
+        let at = |threads: &[(&str, f64)]| threads.iter().map(|&(thread, waited)| (thread.to_owned(), waited)).collect();
+        let (before, after) = (at(&[("1", 3.0), ("2", 50.0), ("3", 7.0)]), at(&[("1", 3.5), ("3", 0.25), ("4", 1.0)]));
+        assert_eq!(waited_between(&before, &after), 0.5 + 0.25 + 1.0);
+    }
+
+    #[test]
+    fn a_thread_that_works_is_seen_to_work_also_when_it_has_ended() {
         if Counters::now().is_none() {
             return voxtrace_test_support::skip("this system has no /proc");
         }
         let watch = Watch::start();
-        let start = Instant::now();
-        let mut sum = 0_u64;
-        while start.elapsed().as_secs_f64() < 0.2 {
-            sum = std::hint::black_box(sum.wrapping_add(1));
-        }
+        // Until a twentieth of a second is counted, however long the machine takes for it.
+        let works = || {
+            let (start, begin) = (own_time().unwrap(), Instant::now());
+            while own_time().unwrap() < start + 0.05 {
+                assert!(begin.elapsed().as_secs() < 300, "nothing is counted");
+            }
+        };
+        std::thread::spawn(works).join().unwrap();
         let told = watch.stop();
-        assert!(told.wall >= 0.2 && told.count >= Some(1), "{told:?}");
-        // What did not run waited.
-        assert!(told.own.unwrap() + told.waited.unwrap_or(0.2) > 0.15, "{told:?}");
+        assert!(told.own.unwrap() >= 0.05, "{told:?}");
+        assert!(told.wall > 0.0 && told.count >= Some(1) && told.waited.is_none_or(|waited| waited >= 0.0), "{told:?}");
     }
 }
