@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, constants } from "node:zlib";
-import { build } from "esbuild";
+import { build, transform } from "esbuild";
 
 const MODULES = ["voxtrace", "gpu", "stream", "scenes", "readers"];
 const SHADERS = "shaders.wgsl";
@@ -12,7 +12,10 @@ process.chdir(here("."));
 rmSync("dist", { recursive: true, force: true });
 mkdirSync("dist");
 
-const shared = { bundle: true, format: "esm", target: "es2022", minify: true, outdir: "dist", logLevel: "warning" };
+// The element's style is a text in its module, without its blanks.
+const smaller = async ({ path }) => ({ loader: "text", contents: (await transform(readFileSync(path, "utf8"), { loader: "css", minifyWhitespace: true })).code.trim() });
+const style = { name: "style", setup: (build) => build.onLoad({ filter: /element\.css$/ }, smaller) };
+const shared = { bundle: true, format: "esm", target: "es2022", minify: true, outdir: "dist", logLevel: "warning", plugins: [style] };
 await build({ ...shared, entryPoints: { voxtrace: "src/index.ts" } });
 await build({ ...shared, entryPoints: { "voxtrace-worker": "src/worker.ts", "gpu-worker": "src/gpu-worker.ts", "stream-worker": "src/streamer.ts", "scenes-worker": "src/maker.ts" } });
 const readers = { name: "readers", setup: (build) => build.onResolve({ filter: /wasm\/scenes\.js$/ }, () => ({ path: here("wasm/readers.js") })) };

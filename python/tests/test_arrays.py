@@ -108,6 +108,7 @@ def test_bools_of_any_bytes_are_occupancy(random):
         (numpy.full((3, 4, 5), 3), ["#000000", "#ffffff"], "the highest label is 3"),
         ([[[1]]], None, "array of numpy"),
         (numpy.ones((1, 1, 1), int), ["#00000", "#fff000"], "no colour like"),
+        (numpy.ones((1, 1, 1), int), ["#+00000", "#fff000"], "no colour like"),
     ],
 )
 def test_what_cannot_be_is_refused_in_one_sentence(array, palette, says):
@@ -130,6 +131,30 @@ def test_origins_are_whole_numbers():
     assert voxtrace.VoxelGrid.from_numpy(labels, origin=numpy.array([-3.0, 4.0, 5.0])).origin == [-3, 4, 5]
     with pytest.raises(ValueError, match="whole"):
         voxtrace.VoxelGrid.from_numpy(labels, origin=(-0.5, 0, 0))
+
+
+def test_what_is_masked_is_empty(random):
+    labels, mask = random.integers(1, 9, (6, 7, 8)), random.random((6, 7, 8)) > 0.5
+    # What stands below a mask may be anything.
+    for hidden in [3, 70_000, -1]:
+        masked = numpy.ma.masked_array(numpy.where(mask, hidden, labels), mask)
+        assert (voxtrace.VoxelGrid.from_numpy(masked).to_numpy() == numpy.where(mask, 0, labels)).all(), hidden
+    occupied = numpy.ma.masked_array(numpy.ones((6, 7, 8), bool), mask)
+    assert (voxtrace.VoxelGrid.from_numpy(occupied).to_numpy("occupancy") == ~mask).all()
+    assert (voxtrace.VoxelGrid.from_numpy(numpy.ma.masked_array(labels)).to_numpy() == labels).all()
+    colors = numpy.ma.masked_equal(random.integers(0, 3, (6, 7, 8, 3)).astype("uint8"), 1)
+    with pytest.raises(ValueError, match="alpha 0 is empty"):
+        voxtrace.VoxelGrid.from_numpy(colors)
+
+
+def test_origins_are_within_32_bits():
+    labels = numpy.ones((4, 4, 4), "uint8")
+    for origin in [(-1e12, 0, 0), (0, 1e12, 0), (2**31 - 6, 0, 0), (0, 0, 2**31 - 3)]:
+        with pytest.raises(ValueError, match="farther"):
+            voxtrace.VoxelGrid.from_numpy(labels, origin=origin)
+    for origin in [(2**31 - 64, 0, 0), (0, -(2**31) + 2, 0)]:
+        grid = voxtrace.VoxelGrid.from_numpy(labels, origin=origin)
+        assert grid.to_numpy().all() and tuple(grid.origin) == origin and tuple(grid.bounds[0]) == origin
 
 
 def test_files_keep_grids(tmp_path, random):

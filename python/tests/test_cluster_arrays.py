@@ -91,6 +91,9 @@ def test_workers_that_are_lost_cost_their_parts_and_work_goes_on_where_it_was(cl
         context.setattr("voxtrace.dask._volume.removed", lambda *_: None)
         dask.voxelize_array(client, array, tmp_path / "b.vxt", name="a", parts=4, folder=kept)
     parts = sorted(kept.glob("*.part"))
+    # Long ago: the clock of files may stand for a while.
+    for part in parts:
+        os.utime(part, (1e9, 1e9))
     times = [part.stat().st_mtime_ns for part in parts]
     assert len(parts) == 4
     good = parts[2].read_bytes()
@@ -153,6 +156,31 @@ def test_what_cannot_be_is_told(client, tmp_path):
     with pytest.raises(OSError, match="the disk is gone"):
         dask.voxelize_array(client, Broken(), tmp_path / "a.vxt", transfer="ct-bone", retries=0)
     assert not list(tmp_path.glob("a.vxt"))
+
+
+def test_other_colours_are_other_work():
+    from voxtrace.dask import _volume
+
+    def stamp(transfer) -> str:
+        return _volume._stamp(lump((8, 8, 8)), {"transfer": transfer, "memory": 1})
+
+    red, green = (voxtrace.TransferFunction([(1, color)]) for color in ["#ff0000", "#00ff00"])
+    assert repr(red) == repr(green) and stamp(red) != stamp(green)
+    assert stamp(red) == stamp(pickle.loads(pickle.dumps(red))) and stamp("mri") != stamp("hot") != stamp(None)
+
+
+def test_masked_samples_are_none():
+    from voxtrace.dask import _volume
+
+    masked = numpy.ma.masked_greater(lump((8, 9, 10)), 500)
+    part = dask_array.from_array(masked, chunks=5)
+    found = _volume._read(part, "f32", False, 2, 7, 1, 4)
+    expected = masked[:, 1:4, 2:7].filled(numpy.nan).transpose(2, 1, 0)
+    assert numpy.array_equal(found, expected, equal_nan=True) and numpy.isnan(found).any()
+    bytes_of = numpy.ma.masked_greater((masked.data / 10).clip(0, 200).astype("uint8"), 50)
+    assert (_volume._read(bytes_of, "u8", True, 0, 10, 0, 9) == bytes_of.filled(0).transpose(2, 1, 0)).all()
+    with pytest.raises(ValueError, match="float32"):
+        _volume._read(bytes_of, "u8", False, 0, 10, 0, 9)
 
 
 def test_transfer_functions_travel():

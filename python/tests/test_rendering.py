@@ -113,12 +113,15 @@ def test_ctrl_c_ends_a_long_render(church):
 
     # Whoever starts tests in the background may have turned it off.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    threading.Thread(target=interrupt).start()
     start = time.monotonic()
-    with pytest.raises(KeyboardInterrupt):
-        voxtrace.render(church, samples=10**7, size=(640, 360), device="cpu", progress=False)
-    assert time.monotonic() - start < 30
-    signal.signal(signal.SIGINT, before)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            threading.Thread(target=interrupt).start()
+            voxtrace.render(church, samples=10**7, size=(640, 360), device="cpu", progress=False)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    # All samples would take days.
+    assert time.monotonic() - start < 300
 
 
 def test_other_threads_run_meanwhile(church):
@@ -133,10 +136,17 @@ def test_other_threads_run_meanwhile(church):
 
     thread = threading.Thread(target=counts)
     thread.start()
-    voxtrace.render(church, samples=48, size=(320, 180), device="cpu", progress=False)
+    meanwhile = 0
+    # A quick machine and a busy one need more samples.
+    for samples in [48, 192, 768, 3072]:
+        before = count
+        voxtrace.render(church, samples=samples, size=(320, 180), device="cpu", progress=False)
+        meanwhile = count - before
+        if meanwhile > 20:
+            break
     ended.set()
     thread.join()
-    assert count > 20
+    assert meanwhile > 20
 
 
 @pytest.mark.parametrize(

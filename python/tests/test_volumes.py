@@ -29,6 +29,52 @@ def test_affines_say_the_spacing_and_are_checked(random):
         voxtrace.Volume.from_array(numpy.zeros((3, 4)))
 
 
+def test_what_is_masked_is_no_sample(random):
+    values = random.random((5, 6, 7))
+    mask = values > 0.7
+    volume = voxtrace.Volume.from_array(numpy.ma.masked_array(numpy.where(mask, 9.96921e36, values), mask))
+    assert (numpy.isnan(volume.to_numpy()) == mask).all() and (volume.to_numpy()[~mask] == values[~mask].astype("float32")).all()
+    assert volume.histogram()[0][-1] < 1
+    whole = numpy.ma.masked_greater(random.integers(0, 9, (5, 6, 7)), 5)
+    assert (numpy.isnan(voxtrace.Volume.from_array(whole).to_numpy()) == whole.mask).all()
+    labels = voxtrace.Volume.from_array(whole, labels=True)
+    assert (labels.to_numpy() == whole.filled(0)).all()
+
+
+def test_what_is_no_volume_is_told_in_its_own_terms():
+    with pytest.raises(ValueError, match="real numbers are wanted, not complex64"):
+        voxtrace.Volume.from_array(numpy.ones((3, 3, 3), "complex64"))
+    with pytest.raises(ValueError, match="without samples"):
+        voxtrace.Volume.from_array(numpy.ones((0, 3, 3)))
+    simple = pytest.importorskip("SimpleITK")
+    with pytest.raises(ValueError, match="3 dimensions is wanted, not of 2"):
+        voxtrace.Volume.from_array(simple.GetImageFromArray(numpy.ones((3, 4))))
+
+
+def test_labels_that_would_become_others_are_refused():
+    labels = numpy.zeros((3, 4, 5), "uint32")
+    # Identifiers of structures, as atlases of brains have them.
+    labels[0], labels[1] = 614_454_277, 614_454_278
+    with pytest.raises(ValueError, match="numpy.unique"):
+        voxtrace.Volume.from_array(labels, labels=True)
+    assert voxtrace.Volume.from_array(labels).to_numpy()[0, 0, 0] == numpy.float32(614_454_277)
+    labels[1] = 614_454_272
+    labels[0] = 2**24
+    volume = voxtrace.Volume.from_array(labels, labels=True)
+    assert volume[0, 0, 0] == 2**24 and volume[1, 0, 0] == 614_454_272
+    names, numbered = numpy.unique(labels, return_inverse=True)
+    assert voxtrace.Volume.from_array(numbered.reshape(labels.shape), labels=True)[1, 0, 0] == len(names) - 1
+
+
+def test_steps_of_a_microscope_are_even_or_not():
+    xarray = pytest.importorskip("xarray")
+    metres = 1e-9 * numpy.array([0.0, 200, 400, 600])
+    data = lambda z: xarray.DataArray(numpy.ones((4, 4, 4)), {"x": metres, "y": metres, "z": z}, dims=["x", "y", "z"])
+    assert voxtrace.Volume.from_array(data(metres)).spacing == pytest.approx([2e-7] * 3)
+    with pytest.raises(ValueError, match="along z are not even"):
+        voxtrace.Volume.from_array(data(1e-9 * numpy.array([0.0, 9, 16, 20])))
+
+
 def test_numbers_that_cannot_be_are_refused(random, tmp_path):
     volume = voxtrace.Volume.from_array(random.random((5, 6, 7)))
     (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")

@@ -26,8 +26,8 @@ def render(
     """Render a picture of a scene.
 
     `progress`: a function that is called with the share that is done, or whether a bar is shown (by tqdm); by default it is where tqdm
-    is installed and the work takes longer than a second. Everything else is as in `Renderer` and `Renderer.render`. For many pictures
-    of one scene keep a `Renderer`.
+    is installed and the work takes longer than a second. `device` is as in `Renderer`, everything else as in `Renderer.render`. For many
+    pictures of one scene, and for what else a `Renderer` is told, keep one.
     """
     renderer = Renderer(scene, device=device)
     with _bar(progress) as told:

@@ -23,18 +23,18 @@ def from_array(
 ) -> Volume:
     """A volume of an array of shape `(X, Y, Z)`, of any type of real numbers; it is kept as float32.
 
-    `array`: of numpy, dask, zarr or torch (also on a GPU), or anything that numpy takes; a `DataArray` of xarray, whose even coordinates
-    say the spacing; an image of nibabel or SimpleITK, which know their place and have millimetres. `spacing`: distance between samples,
+    `array`: of numpy, dask, zarr or torch (also on a GPU), or anything that numpy takes; what is masked is NaN, which is never shown, or label 0; a `DataArray` of xarray, whose even
+    coordinates say the spacing; an image of nibabel or SimpleITK, which know their place and have millimetres. `spacing`: distance between samples,
     one number or three. `affine`: 4 × 4 or 3 × 4, from indices to the world, z up; patients as in DICOM (left, back, head). `unit`:
     `"mm"`, `"m"` or `None`. `labels`: values are labels, which are not interpolated.
 
-    Raises `ValueError` for another shape, an affine that flattens, and both of `spacing` and `affine`.
+    Raises `ValueError` for another shape, an affine that flattens, both of `spacing` and `affine`, and labels that float32 does not tell apart.
     """
     known_name = getattr(array, "name", None)
     if spacing is None and affine is None:
         affine, known_unit = place_of(array)
         unit = unit if unit is not None else known_unit
-    values = _values_of(array)
+    values = samples_of(_values_of(array), labels)
     rows = None if affine is None else numpy.asarray(affine, dtype=float).tolist()
     known_name = known_name if isinstance(known_name, str) and known_name else "array"
     return Volume._from_numpy(values, spacing=spacing, affine=rows, unit=unit, labels=labels, name=name or known_name)
@@ -52,13 +52,27 @@ def _values_of(array: Any) -> numpy.ndarray[Any, Any]:
     if hasattr(array, "compute"):  # dask, and xarray over it
         array = array.compute()
     if hasattr(array, "__array__"):
-        return numpy.asarray(array)
-    return numpy.asarray(array[...] if hasattr(array, "chunks") else array)
+        return numpy.asanyarray(array)
+    return numpy.asanyarray(array[...] if hasattr(array, "chunks") else array)
+
+
+def samples_of(values: Any, labels: bool) -> numpy.ndarray[Any, Any]:
+    """An array without its mask, and with nothing where that hides something: what stands below it, as netCDF's fill values do, is no sample. Labels are checked."""
+    if numpy.ma.is_masked(values):
+        values = values.filled(0) if labels else values.astype(numpy.float32).filled(numpy.nan)
+    samples: numpy.ndarray[Any, Any] = numpy.asarray(values)
+    if labels and samples.dtype.kind in "iu" and samples.dtype.itemsize > 2 and samples.size > 0:
+        most = max(int(samples.max()), -int(samples.min()))
+        if most > 1 << 24 and (samples.astype(numpy.float32).astype(numpy.float64) != samples).any():
+            raise ValueError(f"labels up to {most} are not told apart as float32: numpy.unique(array, return_inverse=True) numbers them anew")
+    return samples
 
 
 def place_of(array: Any) -> tuple[Any, str | None]:
     """From indices to the world, and the unit, where the array knows them."""
     if hasattr(array, "GetDirection"):
+        if array.GetDimension() != 3:
+            raise ValueError(f"an image of 3 dimensions is wanted, not of {array.GetDimension()}")
         matrix = numpy.eye(4)
         direction = numpy.reshape(array.GetDirection(), (3, 3))
         matrix[:3, :3] = direction * numpy.asarray(array.GetSpacing())
@@ -82,7 +96,8 @@ def _of_coordinates(array: Any) -> Any:
         if not numpy.issubdtype(places.dtype, numpy.number):
             continue
         steps = numpy.diff(places.astype(float))
-        if not numpy.allclose(steps, steps[0], rtol=1e-3) or steps[0] == 0:
+        # In metres the steps of a microscope are less than what is usually taken for nothing.
+        if not numpy.allclose(steps, steps[0], rtol=1e-3, atol=0) or steps[0] == 0:
             raise ValueError(f"coordinates along {dimension} are not even: pass spacing or affine")
         matrix[axis, axis], matrix[axis, 3] = steps[0], float(places[0])
     return matrix

@@ -4,7 +4,7 @@ import { listen, listenToPresses } from "./gestures.js";
 import { cameraOf, lookOf, type Orbit, orbitText, orbitWords, panned, parseBox, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
 import { type Files, Pool } from "./pool.js";
 import type { Picked, SceneInfo, Source } from "./protocol.js";
-import type { Look, Picture } from "./rendering.js";
+import type { Look, Picture, Rendering } from "./rendering.js";
 import { isStreamed } from "./layout.js";
 import { builtIn, download, fileName } from "./source.js";
 import { Stage } from "./stage.js";
@@ -70,7 +70,7 @@ export class VoxtraceViewer extends Attributes {
     this.#parts = build(this.attachShadow({ mode: "open" }));
     const failed = (error: unknown) => this.#fail(error, "renderfailure");
     const shown = () => this.#shown();
-    const still = (picture: Picture) => this.#still(picture);
+    const still = (film: Rendering) => this.#still(film);
     this.#stage = new Stage(this.#parts.canvas, this.#pool, { shown, still, failed });
     // What a page set before there was this class would hide its properties for good.
     const own = this as Record<string, unknown>;
@@ -328,7 +328,7 @@ export class VoxtraceViewer extends Attributes {
         this.#isArriving = false;
         this.#endProgress();
         const film = this.#stage.film;
-        if (film && film.samples >= film.picture.samples) this.#still(film.picture);
+        if (film && film.samples >= film.picture.samples) this.#still(film);
       },
       failed,
     });
@@ -562,11 +562,11 @@ export class VoxtraceViewer extends Attributes {
   }
 
   /** The film has all its samples. Where finer parts are on their way, another one follows. */
-  #still({ samples, width, height }: Picture) {
+  #still({ picture: { samples, width, height }, isOfGpu }: Rendering) {
     if (this.#isArriving) return;
     this.#say("The picture is finished.");
     // Floats of GPUs may differ from the processor's: none was compared but a software one.
-    this.#emit("still", { samples, width, height, isExact: this.#pool.tier !== "gpu" && (this.#info?.detail?.isExact ?? true) });
+    this.#emit("still", { samples, width, height, isExact: !isOfGpu && (this.#info?.detail?.isExact ?? true) });
   }
 
   #progress(share: number | undefined) {

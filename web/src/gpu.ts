@@ -166,7 +166,7 @@ export class GpuTracer implements Caller {
     const words = await scene.render(part, frame, pipelines);
     const milliseconds = performance.now() - start;
     const shown = await this.around.beside.call("show", [words, part.toneMapping, part.exposure]);
-    return { words, shown, milliseconds };
+    return { words, shown, milliseconds, isOfGpu: true };
   }
 
   /** Starts again after an error, or leaves it to the workers. */

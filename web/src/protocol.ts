@@ -47,6 +47,8 @@ export interface PartAnswer {
   shown: Uint8ClampedArray<ArrayBuffer>;
   /** What the samples took. */
   milliseconds: number;
+  /** Whether a GPU traced them. */
+  isOfGpu?: boolean;
 }
 
 /** A voxel that a picture shows at some place. */

@@ -43,6 +43,8 @@ const PATIENCE = 40;
 export class Rendering {
   readonly bands: Band[] = [];
   isStopped = false;
+  /** Whether a GPU traced some of the samples, whoever traces now. */
+  isOfGpu = false;
   #workers = new Set<Caller>();
   /** Those that failed take no further part. */
   #failed = new Set<Caller>();
@@ -137,6 +139,7 @@ export class Rendering {
         look = this.look;
         answer.shown = await tracer.call("show", [answer.words, look.toneMapping, look.exposure]);
       }
+      this.isOfGpu ||= answer.isOfGpu ?? false;
       Object.assign(band, { samples: target, words: answer.words, shown: answer.shown });
     } finally {
       band.isBusy = false;

@@ -18,7 +18,7 @@ export interface Events {
   /** A picture is on the canvas. */
   shown(isCoarse: boolean): void;
   /** The film has all its samples. */
-  still(picture: Picture): void;
+  still(rendering: Rendering): void;
   failed(error: unknown): void;
 }
 
@@ -219,7 +219,7 @@ export class Stage {
     const rendering = new Rendering(picture, this.look, this.#power, (band) => this.#draw(band, rendering), this.#without);
     this.#still = rendering;
     rendering.finished.then(
-      () => this.#still === rendering && this.events.still(picture),
+      () => this.#still === rendering && this.events.still(rendering),
       (error) => this.events.failed(error),
     );
     this.#start(rendering);

@@ -20,6 +20,18 @@ const data = process.env.VOXTRACE_DATA ?? join(root, "../shared/data");
 export const pictures = join(root, "target/web/pictures");
 mkdirSync(pictures, { recursive: true });
 
+/** How long a page may take for one thing on a machine on which others have the processors, milliseconds. */
+export const TIMEOUT = 240_000;
+
+/** Waits until something is so; whether it came to be. */
+export async function comes(isSo) {
+  for (const end = Date.now() + TIMEOUT; ; ) {
+    if (await isSo()) return true;
+    if (Date.now() > end) return false;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
 export const context = { browser: undefined, server: undefined, files: undefined };
 
 /** What lets Chromium have WebGPU without a GPU. */
@@ -43,7 +55,7 @@ export function setUp(more = [], follow = async () => {}) {
   before(async () => {
     const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
     assert.ok(executablePath, "no Chromium: install it, or name it by CHROMIUM");
-    context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage", ...more] });
+    context.browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage", ...more], timeout: TIMEOUT });
     await follow();
   });
   after(async () => context.browser?.close());
@@ -56,6 +68,7 @@ const webGpu = { has: false };
 export function setUpWebGpu(follow = async () => {}) {
   setUp(WEBGPU, async () => {
     const probe = await context.browser.newPage();
+    probe.setDefaultTimeout(TIMEOUT);
     await probe.goto(`${context.server.address}/test/page.html`);
     webGpu.has = await probe.evaluate(async () => !!(await navigator.gpu?.requestAdapter()));
     await probe.close();
@@ -68,7 +81,7 @@ export function setUpWebGpu(follow = async () => {}) {
 export const skipsWebGpu = (t) => !webGpu.has && (t.skip("this Chromium has no WebGPU adapter"), true);
 
 /** A page with an element, `said` with what its console says, and its devices in `window.devices`. Compiling takes a while on the processor. */
-export async function openWebGpu(options, timeout = 240_000) {
+export async function openWebGpu(options, timeout = TIMEOUT) {
   const page = await open({}, options);
   page.said = [];
   page.on("console", (message) => page.said.push(message.text()));
@@ -97,7 +110,7 @@ export async function open(attributes = {}, options = {}) {
   const page = browser === context.browser ? await browser.newPage({ viewport: { width: 640, height: 480 }, ...rest }) : await browser.newPage();
   page.errors = [];
   page.on("pageerror", (error) => page.errors.push(error.message));
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(TIMEOUT);
   await page.goto(`${context.server.address}/test/page.html`);
   await page.evaluate(([attributes, width, height]) => {
     const viewer = document.createElement("voxtrace-viewer");

@@ -54,15 +54,18 @@ for (const [name, path, start] of [["Firefox", firefox, startFirefox], ["WebKit"
     const box = await page.evaluate(() => window.viewer.getBoundingClientRect().toJSON());
     const middle = [box.x + box.width / 2, box.y + box.height / 2];
     await page.drag(middle, [middle[0] + 80, middle[1] + 20]);
-    await page.waitForFunction(() => window.events.some(({ name }) => name === "camera-change"));
+    await page.waitForFunction((theta) => Math.abs(window.viewer.getCameraOrbit().theta - theta) > 0.1, first.theta);
     const turned = await orbit();
     assert.ok(Math.abs(turned.theta - first.theta) > 0.1, `${JSON.stringify(first)} ${JSON.stringify(turned)}`);
     await page.evaluate(() => window.viewer.focus());
     const before = await count(page, "camera-change");
     await page.press("ArrowLeft");
     await page.waitForFunction((before) => window.events.filter(({ name }) => name === "camera-change").length > before, before);
-    const stills = await count(page, "still");
-    await event(page, "still", stills);
+    // A picture that is finished after that.
+    await page.waitForFunction(() => {
+      const [changed] = window.events.filter(({ name }) => name === "camera-change").slice(-1);
+      return window.events.some(({ name, at }) => name === "still" && at >= changed.at);
+    });
     const colors = await page.evaluate(() => {
       const canvas = window.viewer.shadowRoot.querySelector("canvas");
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);

@@ -101,13 +101,20 @@ test("a device that is lost is made again, and after a second loss the processor
     window.viewer.samples = 64;
     window.viewer.setAttribute("src", "/files/lost.vox");
   });
-  const lose = async (count) => {
-    await page.waitForFunction((count) => window.viewer.film() && window.devices.length >= count, count);
-    await page.evaluate(() => window.devices.at(-1).destroy());
-  };
+  // By the page itself, as the picture may be finished before this process is heard again.
+  const lose = (count) =>
+    page.evaluate(([count, most]) => new Promise((done, fail) => {
+      const end = Date.now() + most;
+      const look = () => {
+        if (Date.now() > end) return void fail(new Error(`device ${count} was never there`));
+        if (!window.viewer.film() || window.devices.length < count) return void setTimeout(look, 30);
+        window.devices.at(-1).destroy();
+        done();
+      };
+      look();
+    }), [count, 240_000]);
   const before = await page.evaluate(() => window.devices.length);
   await lose(before);
-  await page.waitForFunction((count) => window.devices.length > count, before);
   await lose(before + 1);
   await page.waitForFunction(() => window.viewer.activeTracer === "cpu");
   await event(page, "still");

@@ -5,8 +5,10 @@ import { once } from "node:events";
 import { existsSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
 import puppeteer from "puppeteer-core";
+import { TIMEOUT } from "./browser.mjs";
 
-const TIMEOUT = 60_000;
+/** How long WebKit may take for its first answer, milliseconds: it may never come. */
+const FIRST = 120_000;
 const SIZE = { width: 640, height: 480 };
 
 /** Where Firefox is, or undefined. */
@@ -30,7 +32,7 @@ const handle = (value) => ({ jsonValue: async () => value });
 /** Starts Firefox without a screen. */
 export async function startFirefox() {
   const preferences = { "app.update.enabled": false, "browser.shell.checkDefaultBrowser": false };
-  const browser = await puppeteer.launch({ browser: "firefox", executablePath: firefox, headless: true, defaultViewport: SIZE, extraPrefsFirefox: preferences });
+  const browser = await puppeteer.launch({ browser: "firefox", executablePath: firefox, headless: true, defaultViewport: SIZE, extraPrefsFirefox: preferences, timeout: TIMEOUT, protocolTimeout: TIMEOUT });
   return {
     newPage: async () => {
       const page = await browser.newPage();
@@ -77,18 +79,34 @@ async function startScreen() {
   return { display: `:${String(number).trim()}`, end: () => screen.kill() };
 }
 
+/** Ends a process and those that it has started. */
+function endGroup(pid) {
+  try {
+    process.kill(-pid);
+  } catch {
+    // They have all ended.
+  }
+}
+
 /** Starts WebKit's driver on a screen: how to ask it, and to end it with its browsers. */
 async function startDriver({ display }) {
-  const port = await freePort();
-  const driver = spawn(webkit, [`--port=${port}`, "--host=127.0.0.1"], { stdio: "ignore", env: { ...process.env, DISPLAY: display }, detached: true });
-  const ask = async (method, path, body) => {
-    const answer = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(2 * TIMEOUT) });
-    const { value } = await answer.json();
-    if (value?.error) throw new Error(`${value.error}: ${value.message}`);
-    return value;
-  };
-  await until(() => ask("GET", "/status").then(() => true, () => false), "WebKit's driver");
-  return { ask, end: () => process.kill(-driver.pid) };
+  for (let attempt = 1; ; attempt++) {
+    const port = await freePort();
+    const driver = spawn(webkit, [`--port=${port}`, "--host=127.0.0.1"], { stdio: "ignore", env: { ...process.env, DISPLAY: display }, detached: true });
+    let isOver = false;
+    driver.once("exit", () => (isOver = true));
+    const ask = async (method, path, body) => {
+      const patience = path === "/session" ? FIRST : TIMEOUT;
+      const answer = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(patience) });
+      const { value } = await answer.json();
+      if (value?.error) throw new Error(`${value.error}: ${value.message}`);
+      return value;
+    };
+    await until(() => isOver || ask("GET", "/status").then(() => true, () => false), "WebKit's driver");
+    // It ends at once where somebody else has taken the port meanwhile.
+    if (!isOver) return { ask, end: () => endGroup(driver.pid) };
+    if (attempt === 5) throw new Error("WebKit's driver has ended");
+  }
 }
 
 /** Starts WebKit's driver, and with each page a browser. Its browser needs a screen, which it is given. */

@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { build } from "esbuild";
-import { context, event, open, pictures, run, setUp, violations, web } from "./browser.mjs";
+import { context, event, open, pictures, run, setUp, TIMEOUT, violations, web } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 setUp();
@@ -57,8 +57,9 @@ test("the packed package needs two lines in an empty page, and its types hold", 
   );
   const server = await serve({ "/": project });
   const page = await context.browser.newPage();
+  page.setDefaultTimeout(TIMEOUT);
   await page.goto(`${server.address}/index.html`);
-  await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film?.()?.samples === 1, undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film?.()?.samples === 1);
   await page.close();
   server.end();
   // What a page of files that this module reads asks for, where there is no WebGPU, is the small module alone.
@@ -93,8 +94,9 @@ test("the example of React shows a picture and hears of it", async () => {
   writeFileSync(join(folder, "react/index.html"), `<!doctype html><script type="importmap">${imports}</script><body><script type="module" src="app.js"></script>`);
   const server = await serve({ "/": join(folder, "react"), "/package/": join(web, "dist") });
   const page = await context.browser.newPage();
+  page.setDefaultTimeout(TIMEOUT);
   await page.goto(`${server.address}/index.html`);
-  await page.getByRole("paragraph").filter({ hasText: "The picture is finished." }).waitFor({ timeout: 60_000 });
+  await page.getByRole("paragraph").filter({ hasText: "The picture is finished." }).waitFor();
   const film = () => page.evaluate(() => window.document.querySelector("voxtrace-viewer").film()?.samples);
   assert.equal(await film(), 4);
   await page.getByRole("slider").fill("2");
@@ -123,12 +125,13 @@ for (const colorScheme of ["light", "dark"]) {
 for (const [name, width, height] of [["phone", 390, 844], ["desktop", 1280, 800]]) {
   test(`the example fits the width of a ${name}`, async () => {
     const page = await context.browser.newPage({ viewport: { width, height }, colorScheme: name === "phone" ? "dark" : "light" });
+    page.setDefaultTimeout(TIMEOUT);
     await page.route("**/examples/plain.html", async (route) => {
       const html = readFileSync(join(web, "examples/plain.html"), "utf8");
       await route.fulfill({ contentType: "text/html", body: html.replaceAll("../dist/", "/package/").replaceAll("church?voxels=1M", "church?voxels=200k").replace('samples="256"', 'samples="2"') });
     });
     await page.goto(`${context.server.address}/examples/plain.html`);
-    await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film?.()?.samples === 2, undefined, { timeout: 120_000 });
+    await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film?.()?.samples === 2);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, "nothing sticks out");
     const box = await page.locator("voxtrace-viewer").boundingBox();
     assert.ok(box.width > 0.85 * Math.min(width, 1152) && box.height > 200, JSON.stringify(box));

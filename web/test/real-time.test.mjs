@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { execFileSync } from "node:child_process";
 import { build } from "esbuild";
-import { context, differences, event, filmOf, native, openWebGpu, pictures, run, setAttributes, setUpWebGpu, skipsWebGpu, web, words } from "./browser.mjs";
+import { comes, context, differences, event, filmOf, native, openWebGpu, pictures, run, setAttributes, setUpWebGpu, skipsWebGpu, web, words } from "./browser.mjs";
 import { fileOfMaterials } from "./materials.mjs";
 import { serve } from "./server.mjs";
 
@@ -218,6 +218,7 @@ test("where its shaders do not compile, and where it is not wanted, views that m
       if (!attributes["real-time"] && said(page)) break;
     }
     await page.waitForFunction((wanted) => !wanted || window.compiled.includes("begin_looks"), !attributes["real-time"]);
+    if (!attributes["real-time"]) await comes(() => said(page));
     assert.match(said(page), says);
     // Nobody compiles what is not wanted.
     assert.equal(await page.evaluate(() => window.compiled.includes("begin_looks")), !attributes["real-time"]);

@@ -115,3 +115,16 @@ test("it fails with the last one of them, and not where it was stopped", async (
   stopped.stop();
   assert.equal(await Promise.race([stopped.finished.catch(() => "failed"), soon(50).then(() => "nothing")]), "nothing");
 });
+
+test("it says that a GPU traced of it, also where the workers ended it", async () => {
+  const ofGpu = new Fake((parts) => parts > 2);
+  const { call } = ofGpu;
+  ofGpu.call = async (...given) => ({ ...(await call.apply(ofGpu, given)), isOfGpu: true });
+  const both = renderingOf([ofGpu, new Fake(undefined, () => soon(5))]);
+  await both.finished;
+  check(both);
+  assert.ok(ofGpu.isLost && both.isOfGpu);
+  const alone = renderingOf([new Fake()]);
+  await alone.finished;
+  assert.equal(alone.isOfGpu, false);
+});

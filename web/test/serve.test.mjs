@@ -4,7 +4,7 @@ import { spawn } from "node:child_process";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { context, differences, native, pictures, program, run, setUp, violations, web } from "./browser.mjs";
+import { context, differences, native, pictures, program, run, setUp, TIMEOUT, violations, web } from "./browser.mjs";
 
 setUp();
 let server;
@@ -38,7 +38,18 @@ async function visit(place, { address = server.address, ...options } = {}) {
   page.errors = [];
   page.on("pageerror", (error) => page.errors.push(error.message));
   page.on("console", (message) => message.type() === "error" && !/status of (409|422)/.test(message.text()) && page.errors.push(message.text()));
-  page.setDefaultTimeout(120_000);
+  page.setDefaultTimeout(TIMEOUT);
+  // Which view was asked for last, and all pictures that were shown.
+  await page.addInitScript(() => {
+    const { send } = WebSocket.prototype;
+    WebSocket.prototype.send = function (text) {
+      const said = JSON.parse(text);
+      if (said.type === "view") window.asked = said.id;
+      return send.call(this, text);
+    };
+    window.seen = [];
+    new MutationObserver(() => window.seen.push({ ...document.querySelector(".stage canvas")?.dataset })).observe(document, { subtree: true, attributes: true, attributeFilter: ["data-frame"] });
+  });
   await page.goto(`${address}/${place}`);
   return page;
 }
@@ -98,17 +109,21 @@ test("a mesh comes to the page as voxels", async () => {
   await close(page);
 });
 
-/** Waits for the next picture of a kind, and gives its numbers. */
-const picture = (page, kind, after = 0) =>
-  page.waitForFunction(([kind, after]) => {
+/** Waits for the whole picture of the view that was asked for last, which comes after another one, and gives its numbers. */
+const picture = (page, after = 0) =>
+  page.waitForFunction((after) => {
     const { dataset } = document.querySelector(".stage canvas") ?? {};
-    return dataset?.kind === kind && Number(dataset.frame) > after && { ...dataset };
-  }, [kind, after]).then((found) => found.jsonValue());
+    return dataset?.kind === "png" && Number(dataset.view) === window.asked && Number(dataset.frame) > after && { ...dataset };
+  }, after).then((found) => found.jsonValue());
+
+/** The last picture of a view that moved, once there was one after another picture: it may be gone by now. */
+const moved = (page, after) =>
+  page.waitForFunction((after) => window.seen.findLast(({ kind, frame }) => kind === "jpeg" && Number(frame) > after), after).then((found) => found.jsonValue());
 
 test("the server traces: soon while the view moves, and the pixels of render when it stands", async () => {
   const page = await visit("#/scene/city.vxt", { viewport: { width: 800, height: 480 } });
   await page.getByLabel("The server").check();
-  const first = await picture(page, "png");
+  const first = await picture(page);
   assert.equal(first.samples, "4");
   const shown = await page.evaluate(() => {
     const canvas = document.querySelector(".stage canvas");
@@ -139,16 +154,16 @@ test("the server traces: soon while the view moves, and the pixels of render whe
     await page.mouse.move(x + 6 * step, y + step);
     await page.waitForTimeout(30);
   }
-  const moving = await picture(page, "jpeg", Number(first.frame));
+  const moving = await moved(page, Number(first.frame));
   await page.screenshot({ path: join(pictures, "serve-remote-moving.png") });
   await page.mouse.up();
-  const last = await picture(page, "png", Number(moving.frame));
+  const last = await picture(page, Number(moving.frame));
   assert.ok(Number(last.view) > Number(first.view));
   const turned = await page.evaluate(() => document.querySelector(".stage canvas").toDataURL("image/png").split(",")[1]);
   assert.ok((await worst(turned, bytes)) > 50, "it shows something else");
   await page.locator(".stage canvas").focus();
   await page.keyboard.press("Home");
-  await picture(page, "png", Number(last.frame));
+  await picture(page, Number(last.frame));
   const back = await page.evaluate(() => document.querySelector(".stage canvas").toDataURL("image/png").split(",")[1]);
   assert.equal(await worst(back, bytes), 0);
   assert.deepEqual(await violations(page), []);
@@ -158,7 +173,7 @@ test("the server traces: soon while the view moves, and the pixels of render whe
 test("without the viewer and on a phone the server traces everything, and touch turns it", async () => {
   const plain = await start();
   const page = await visit("#/scene/city.vxt", { address: plain.address, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: "dark" });
-  const first = await picture(page, "png");
+  const first = await picture(page);
   const touch = (type, x, y) => page.evaluate(([type, x, y]) => {
     const canvas = document.querySelector(".stage canvas");
     canvas.setPointerCapture = () => {};
@@ -167,7 +182,7 @@ test("without the viewer and on a phone the server traces everything, and touch 
   await touch("pointerdown", 200, 300);
   await touch("pointermove", 120, 320);
   await touch("pointerup", 120, 320);
-  await picture(page, "png", Number(first.frame));
+  await picture(page, Number(first.frame));
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await page.screenshot({ path: join(pictures, "serve-phone.png") });
   // The server ends, and the page says so.

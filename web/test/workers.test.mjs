@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { before, test } from "node:test";
-import { context, count, differences, event, filmOf, native, open, run, setAttributes, setUp } from "./browser.mjs";
+import { comes, context, count, differences, event, filmOf, native, open, run, setAttributes, setUp } from "./browser.mjs";
 
 setUp();
 const path = (name) => join(context.files, name);
@@ -32,7 +32,7 @@ async function hold(page, end) {
 
 /** Waits until the page has so many workers. */
 async function workers(page, number) {
-  for (let wait = 0; page.workers().length !== number && wait < 100; wait++) await pause(100);
+  await comes(() => page.workers().length === number);
   return page.workers().length;
 }
 
@@ -49,11 +49,18 @@ const between = (page, tell, ...given) =>
     };
   }, [String(tell), given]);
 
-/** Workers of these numbers fail at their part of that number, as for want of memory. */
+/** Workers of these numbers fail at their part of that number, as for want of memory. The others wait with their first part until they have, or they might do all of it. */
 const failing = (worker, message, pass, parts) => {
   worker.parts ??= 0;
   if (message.name === "render") worker.parts += 1;
-  if (!(worker.parts >= parts[worker.number])) return pass();
+  window.failed ??= new Set();
+  window.waiting ??= [];
+  if (!(worker.parts >= parts[worker.number])) {
+    const waits = !(worker.number in parts) && message.name === "render" && window.failed.size < Object.keys(parts).length;
+    return waits ? void window.waiting.push(pass) : pass();
+  }
+  window.failed.add(worker.number);
+  if (window.failed.size === Object.keys(parts).length) for (const go of window.waiting.splice(0)) go();
   const data = { id: message.id, error: "the tracer stopped, most likely for want of memory (planted)", isFatal: true };
   setTimeout(() => worker.onmessage(new MessageEvent("message", { data })), 20);
 };
@@ -64,7 +71,7 @@ test("another scene that is asked for while the module arrives has all workers, 
   await setAttributes(page, { ...SCENE, src: "/files/city.vox" });
   await held.isAsked;
   await setAttributes(page, { src: "/files/church.vox" });
-  for (let wait = 0; !context.server.answers.some(({ path, sent }) => path === "/files/church.vox" && sent > 0) && wait < 100; wait++) await pause(50);
+  assert.ok(await comes(() => context.server.answers.some(({ path, sent }) => path === "/files/church.vox" && sent > 0)));
   await pause(500);
   held.release();
   const { url } = await event(page, "load");
@@ -88,7 +95,7 @@ for (const [when, end] of [["the module", "voxtrace.wasm"], ["the script of its 
     await pause(100);
     held.release();
     await pause(1500);
-    assert.equal(page.workers().length, 0);
+    assert.equal(await workers(page, 0), 0);
     assert.deepEqual([await page.evaluate(() => window.viewer.loaded), await count(page, "error"), page.errors], [false, 0, []]);
     // Put back, it is as if nothing had been.
     await page.evaluate(() => document.querySelector("main").append(window.viewer));
@@ -106,11 +113,16 @@ test("a scene whose view is not known yet when another one is asked for is not s
   });
   await setAttributes(page, { ...SCENE, src: "/files/city.vox" });
   await page.waitForFunction(() => window.release);
-  await setAttributes(page, { src: "/files/church.vox?rate=20000" });
+  let arrive;
+  const hold = { at: 1000, until: new Promise((done) => (arrive = done)) };
+  context.server.faults = ({ path }) => (path === "/files/church.vox" ? { hold } : undefined);
+  await setAttributes(page, { src: "/files/church.vox?rate=1000" });
   await page.evaluate(() => window.release());
   await pause(500);
   assert.deepEqual([await count(page, "camera-change"), await page.evaluate(() => window.viewer.getCameraOrbit())], [0, undefined]);
+  arrive();
   await event(page, "still");
+  context.server.faults = undefined;
   assert.deepEqual([await count(page, "load"), await count(page, "error"), page.errors], [1, 0, []]);
   assert.equal(differences((await filmOf(page)).words, expected("church.vox")), 0, "pixels that differ");
   await page.close();

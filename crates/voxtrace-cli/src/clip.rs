@@ -4,6 +4,7 @@ use crate::animation::Stage;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::outputs;
+use crate::parse::Size;
 use crate::picture::path_of_view;
 use crate::report::Report;
 use std::collections::BTreeMap;
@@ -22,6 +23,8 @@ use voxtrace_bench::quantity::counted;
 const SETTINGS: &str = "settings.txt";
 /// Frames a second of the fastest GIF that players show as it is.
 const MOST_GIF_RATE: f64 = 50.0;
+/// Pixels of the shortest edge that the builtin encoder of MP4 takes.
+const LEAST_EDGE_OF_BUILTIN: u32 = 16;
 
 /// Options about clips.
 #[derive(clap::Args, Clone, Debug)]
@@ -62,10 +65,16 @@ pub struct Clip {
 }
 
 impl ClipArgs {
-    /// Refuses what cannot be encoded, before the long work starts.
-    pub fn check(&self, clips: &[PathBuf]) -> Result<(), Failure> {
-        if clips.iter().any(|clip| ClipFormat::of(clip) == Some(ClipFormat::Mp4)) {
-            self.encoder()?;
+    /// Refuses what cannot be encoded, before the long work starts. `size` is that of the frames, where it is known.
+    pub fn check(&self, clips: &[PathBuf], size: Option<Size>) -> Result<(), Failure> {
+        let Some(clip) = clips.iter().find(|clip| ClipFormat::of(clip) == Some(ClipFormat::Mp4)) else { return Ok(()) };
+        let encoder = self.encoder()?;
+        // Sizes are made even before they are encoded.
+        let is_small = |(width, height): Size| width.min(height).next_multiple_of(2) < LEAST_EDGE_OF_BUILTIN;
+        if encoder == EncoderArg::Builtin && size.is_some_and(is_small) {
+            let least = LEAST_EDGE_OF_BUILTIN;
+            let what = format!("{}: the encoder within makes no pictures of less than {least}x{least}", clip.display());
+            return Err(Failure::usage(what).hint("a larger --size, or -o clip.gif or clip.png"));
         }
         Ok(())
     }

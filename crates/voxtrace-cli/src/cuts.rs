@@ -130,10 +130,12 @@ fn slice(text: &str) -> Result<Slice, String> {
         Some((from, thickness)) => (parse::finite(from)?, parse::finite(thickness)?),
         None => (parse::finite(place)?, 1.0),
     };
-    if from + thickness > from {
+    if thickness <= 0.0 {
+        Err("a slice has a thickness above 0".into())
+    } else if from + thickness > from {
         Ok(Slice { axis, from, thickness })
     } else {
-        Err("a slice has a thickness above 0".into())
+        Err(format!("a slice that is {thickness} thick cannot be told from nothing at {from}"))
     }
 }
 
@@ -184,6 +186,9 @@ mod tests {
         for text in ["z", "z=", "w=3", "z=3,0", "z=3,-1", "x=1,2,3"] {
             assert!(slice(text).is_err(), "{text}");
         }
+        assert!(slice("z=3,0").unwrap_err().contains("thickness above 0"));
+        // So far away a number has no room for the thickness beside it.
+        assert!(slice("z=1e9").unwrap_err().contains("1 thick cannot be told from nothing at 1000000000"));
         assert!(clip_box("0,0,0,1,1").is_err() && clip_box("0,0,0,1,1,0").is_err());
         assert!(clip_plane("0,0,0,1").is_err() && clip_plane("0,0,1,inf").is_err());
         assert!(cut("--clip-shadows").unwrap_err().contains("there is none"));

@@ -112,6 +112,17 @@ impl ImportArgs {
 
     /// Makes a scene of what a file holds.
     pub fn scene(&self, data: Data, path: &Path, report: &mut Report) -> Result<Content, Failure> {
+        if matches!(data, Data::Packed(_) | Data::Voxels(_)) {
+            let needless: Vec<_> = self.mesh.only_for_others().chain(self.volume.only_for_volumes()).collect();
+            if !needless.is_empty() {
+                let verb = if needless.len() == 1 { "changes" } else { "change" };
+                let needless = needless.join(", ");
+                report.warn(&format!(
+                    "{needless} {verb} nothing: the voxels of {} are taken as they are",
+                    path.display()
+                ));
+            }
+        }
         let scene = match data {
             Data::Packed(packed) => return Ok(Content::Packed(packed)),
             Data::Voxels(voxels) => voxels.scene,

@@ -165,6 +165,18 @@ impl MeshArgs {
         }
     }
 
+    /// Options that are given and say only how what is no voxels becomes voxels.
+    pub fn only_for_others(&self) -> impl Iterator<Item = &'static str> {
+        let asked = [
+            ("--resolution", self.resolution.is_some()),
+            ("--voxel-size", self.voxel_size.is_some()),
+            ("--fill", self.fill),
+            ("--color-by", !matches!(self.color_by, ColorArg::Auto)),
+            ("--min-points", self.min_points > 1),
+        ];
+        asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
+    }
+
     /// Whether the inside of closed surfaces is filled, for which the whole mesh has to be in memory.
     pub fn fills(&self) -> bool {
         self.fill

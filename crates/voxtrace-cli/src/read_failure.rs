@@ -19,9 +19,30 @@ pub fn import_failure(error: &ImportError) -> Failure {
         ImportErrorKind::OtherTiles(_) => failure.hint("make a scene of each, or name the files that belong together"),
         ImportErrorKind::Native(_) => failure.hint("convert the scene again with this version of voxtrace"),
         ImportErrorKind::Stopped => interrupt::failure(),
-        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files; --trusted lifts it"),
+        ImportErrorKind::Limit { what, .. } if can_be_lifted(what) => {
+            failure.hint("the limit protects from hostile files; --trusted lifts it")
+        }
+        ImportErrorKind::Limit { .. } => failure.hint("the limit protects from hostile files, and nothing lifts it"),
         _ => failure,
     }
+}
+
+/// Whether `--trusted` lifts a limit: not that of depth, which takes from the stack, nor what formats and readers have room for.
+pub fn can_be_lifted(what: &str) -> bool {
+    const FIXED: [&str; 11] = [
+        "bytes of a sample",
+        "bytes of a table of label colours",
+        "bytes of the header",
+        "colours of volumes over each other",
+        "depth",
+        "files of a resource pack",
+        "nesting",
+        "sections of a chunk",
+        "states of a chunk",
+        "tiles of the grid",
+        "voxels along an axis",
+    ];
+    !FIXED.iter().any(|fixed| what.starts_with(fixed))
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
@@ -33,4 +54,20 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
         return failure.hint(format!("a scene is a file or one of the built-in {}", scenes::NAMES.join(", ")));
     }
     failure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_nobody_can_lift_are_told_without_the_option_that_lifts_limits() {
+        let told = |what: &str| import_failure(&ImportError::limit(Path::new("a.vox"), None, what, 9, 8)).line();
+        for fixed in ["depth of the scene graph", "depth of nested tags", "nesting", "bytes of the header"] {
+            assert!(!told(fixed).contains("--trusted") && told(fixed).contains("nothing lifts it"), "{}", told(fixed));
+        }
+        for lifted in ["voxels", "voxels of the whole box", "bytes of input", "points", "bytes of a chunk"] {
+            assert!(told(lifted).contains("--trusted lifts it"), "{}", told(lifted));
+        }
+    }
 }

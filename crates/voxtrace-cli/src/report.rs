@@ -160,14 +160,19 @@ impl Report {
         ((done as f32 + share) / all, self.left_in_all(left).or(left))
     }
 
+    /// Tells of a file that was written to those who read events alone.
+    pub fn wrote_silently(&self, path: &Path) {
+        if self.style == ProgressStyleArg::Json {
+            self.event(&json!({ "event": "wrote", "path": path.display().to_string() }));
+        }
+    }
+
     /// Names on stdout a file that was written.
     pub fn wrote(&self, path: &Path) {
         if self.unnamed.as_ref().is_some_and(|folder| path.starts_with(folder)) {
             return;
         }
-        if self.style == ProgressStyleArg::Json {
-            self.event(&json!({ "event": "wrote", "path": path.display().to_string() }));
-        }
+        self.wrote_silently(path);
         if !self.quiet {
             crate::stdout::print(&format!("{}\n", path.display()));
         }

@@ -95,6 +95,11 @@ impl TracerArgs {
         Ok(choice.tracer)
     }
 
+    /// What of it changes pictures, and not only the time that they take: whether rounding is relaxed and whether hits are approximate.
+    pub fn changes_of_pictures(&self) -> (bool, bool) {
+        (self.fast, matches!(self.primitive, Some(PrimitiveArg::VoxelApprox)))
+    }
+
     /// Whether a cluster traces: it is not stopped half way.
     pub fn has_cluster(&self) -> bool {
         self.cluster.is_some()

@@ -5,6 +5,7 @@ use crate::hounsfield;
 use crate::mesh::{MeshArgs, bytes, number};
 use crate::overlays::OverlayArgs;
 use crate::parse;
+use crate::read_failure::can_be_lifted;
 use crate::report::Report;
 use crate::transfer_text;
 use std::path::Path;
@@ -187,6 +188,18 @@ impl VolumeArgs {
         Ok(())
     }
 
+    /// Options that are given and choose what of volumes becomes voxels.
+    pub fn only_for_volumes(&self) -> impl Iterator<Item = &'static str> {
+        let asked = [
+            ("--transfer", self.transfer.is_some()),
+            ("--threshold", self.threshold.is_some()),
+            ("--series", self.series.is_some()),
+            ("--channel", self.channel.is_some()),
+            ("--time", self.time.is_some()),
+        ];
+        asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
+    }
+
     /// Warns of a transfer function that is made for other values, once these are known.
     pub fn warn_of_large(&self, survey: &Survey, path: &Path, report: &mut Report) {
         let (Some(values), settled) = (survey.values(), survey.transfer()) else { return };
@@ -206,6 +219,10 @@ pub fn lowered(threshold: f32) -> String {
 pub fn volume_failure(path: &Path, error: VolumeError) -> Failure {
     let message = format!("{}: {error}", path.display());
     match error {
+        VolumeError::TooLarge { what, .. } if what.starts_with("voxels along an axis") => {
+            Failure::usage(message).hint("a smaller --resolution or larger --voxel-size")
+        }
+        VolumeError::TooLarge { what, .. } if !can_be_lifted(what) => Failure::usage(message),
         VolumeError::TooLarge { .. } => {
             let hint = "a smaller --resolution or larger --voxel-size; --trusted lifts the limits";
             Failure::usage(message).hint(hint)

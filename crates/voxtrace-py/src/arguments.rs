@@ -45,7 +45,10 @@ impl<'py> FromPyObject<'_, 'py> for Index {
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         object.extract().map(Self).map_err(|error: PyErr| match error.is_instance_of::<PyOverflowError>(object.py()) {
-            true => PyIndexError::new_err(format!("{} is the number of nothing: they begin at 0", *object)),
+            true if object.lt(0).unwrap_or(false) => {
+                PyIndexError::new_err(format!("{} is the number of nothing: they begin at 0", *object))
+            }
+            true => PyIndexError::new_err(format!("{} is the number of nothing: there cannot be so many", *object)),
             false => error,
         })
     }
@@ -85,7 +88,11 @@ impl<'py, T: Element + 'py, D: Dimension + 'py> FromPyObject<'_, 'py> for Number
     type Error = PyErr;
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        let array = readable(&object, dtype::<T>(object.py()).as_any())?;
+        let given = object.py().import("numpy")?.call_method1("asanyarray", (&*object,))?;
+        if given.getattr("dtype")?.getattr("kind")?.extract::<char>()? == 'c' {
+            return Err(argument(format!("real numbers are wanted, not {}", given.getattr("dtype")?)));
+        }
+        let array = readable(&given, dtype::<T>(object.py()).as_any())?;
         let Ok(found) = array.cast::<PyArray<T, D>>() else {
             let axes = D::NDIM.map_or(String::new(), |axes| format!("{axes} axes"));
             return Err(argument(format!("an array of {axes} is wanted, not of shape {}", array.getattr("shape")?)));
@@ -108,9 +115,16 @@ impl<'py> FromPyObject<'_, 'py> for Color {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        let Ok(text) = object.cast::<PyString>() else { return Ok(Self(object.extract::<Three>()?.single())) };
+        let Ok(text) = object.cast::<PyString>() else {
+            let color = object.extract::<Three>()?.single();
+            return match color.is_finite() {
+                true => Ok(Self(color)),
+                false => Err(argument(format!("a colour of {} is beyond single precision", *object))),
+            };
+        };
         let text = text.to_str()?.to_owned();
-        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        let is_hexadecimal = |digits: &&str| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+        let digits = text.strip_prefix('#').filter(is_hexadecimal);
         let value = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
         let value = value.ok_or_else(|| argument(format!("{text:?} is no colour like \"#d8c7a0\"")))?;
         Ok(Self(linear_color([(value >> 16) as u8, (value >> 8) as u8, value as u8])))
@@ -118,6 +132,14 @@ impl<'py> FromPyObject<'_, 'py> for Color {
 }
 
 impl Color {
+    /// As light.
+    pub fn radiance(self) -> PyResult<Vec3> {
+        match self.0.min_element() >= 0.0 {
+            true => Ok(self.0),
+            false => Err(argument(format!("channels of light are ≥ 0, not {}", self.0))),
+        }
+    }
+
     /// As the share of the light that comes back.
     pub fn reflectance(self) -> PyResult<Vec3> {
         if self.0.min_element() >= 0.0 && self.0.max_element() <= 1.0 {

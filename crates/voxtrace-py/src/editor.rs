@@ -2,7 +2,7 @@
 
 use crate::arguments::{Numbers, Three, whole};
 use crate::errors::{argument, other};
-use crate::forks::detach;
+use crate::forks::{self, detach};
 use crate::material::PyMaterial;
 use crate::scene::PyScene;
 use numpy::ndarray::Ix2;
@@ -93,7 +93,8 @@ impl PyEditor {
         detach(py, || work(&mut self.edited.lock().unwrap_or_else(PoisonError::into_inner)))
     }
 
-    fn edit(&self, py: Python<'_>, grid: u32, edit: &Edit) -> PyResult<i64> {
+    fn edit(&self, py: Python<'_>, grid: i64, edit: &Edit) -> PyResult<i64> {
+        let grid = number_of(py, "grid", grid)?;
         let edited = self.with(py, |edited| edited.scene.edit(grid, edit))?;
         edited.map(|edited| edited.voxels).map_err(|error| other(py, error))
     }
@@ -151,15 +152,15 @@ impl PyEditor {
 
     /// All voxels from corner `low` up to, but not including, `high` become a material, `None` for empty. Returns how many voxels there are more.
     #[pyo3(signature = (low, high, material, *, grid=0))]
-    fn fill(&self, py: Python<'_>, low: Three, high: Three, material: Option<u16>, grid: u32) -> PyResult<i64> {
-        let shape = Shape::Box(box_of(low, high)?);
+    fn fill(&self, py: Python<'_>, low: Three, high: Three, material: Option<i64>, grid: i64) -> PyResult<i64> {
+        let (shape, material) = (Shape::Box(box_of(low, high)?), material_of(py, material)?);
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
 
     /// All voxels whose middle is at most `radius` from `center` become a material, `None` for empty. Returns how many voxels there are more.
     #[pyo3(signature = (center, radius, material, *, grid=0))]
-    fn sphere(&self, py: Python<'_>, center: Three, radius: f64, material: Option<u16>, grid: u32) -> PyResult<i64> {
-        let shape = Shape::Sphere { center: center.0, radius: positive(radius)? };
+    fn sphere(&self, py: Python<'_>, center: Three, radius: f64, material: Option<i64>, grid: i64) -> PyResult<i64> {
+        let (shape, material) = (ball_of(center, radius)?, material_of(py, material)?);
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
 
@@ -171,31 +172,33 @@ impl PyEditor {
         start: Three,
         end: Three,
         radius: f64,
-        material: Option<u16>,
-        grid: u32,
+        material: Option<i64>,
+        grid: i64,
     ) -> PyResult<i64> {
         let shape = Shape::Capsule { from: start.0, to: end.0, radius: positive(radius)? };
+        let material = material_of(py, material)?;
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
 
     /// The voxels of a ball that are there become another material. Returns 0.
     #[pyo3(signature = (center, radius, material, *, grid=0))]
-    fn paint(&self, py: Python<'_>, center: Three, radius: f64, material: u16, grid: u32) -> PyResult<i64> {
-        let shape = Shape::Sphere { center: center.0, radius: positive(radius)? };
+    fn paint(&self, py: Python<'_>, center: Three, radius: f64, material: i64, grid: i64) -> PyResult<i64> {
+        let (shape, material) = (ball_of(center, radius)?, number_of(py, "material", material)?);
         self.edit(py, grid, &Edit::Paint { shape, material })
     }
 
     /// The voxels of one material become another, or empty. Returns how many voxels there are more.
     #[pyo3(signature = (old, new, *, grid=0))]
-    fn replace(&self, py: Python<'_>, old: u16, new: Option<u16>, grid: u32) -> PyResult<i64> {
-        self.edit(py, grid, &Edit::Replace { within: None, from: old, to: new })
+    fn replace(&self, py: Python<'_>, old: i64, new: Option<i64>, grid: i64) -> PyResult<i64> {
+        let (from, to) = (number_of(py, "material", old)?, material_of(py, new)?);
+        self.edit(py, grid, &Edit::Replace { within: None, from, to })
     }
 
     /// Voxels, shape `(N, 3)`, become a material, `None` for empty: all of them, in one step of undo, or none where it raises. Returns how many voxels there
     /// are more.
     #[pyo3(signature = (voxels, material, *, grid=0))]
-    fn set(&self, py: Python<'_>, voxels: Numbers<'_, f64, Ix2>, material: Option<u16>, grid: u32) -> PyResult<i64> {
-        let voxels = voxels.as_array();
+    fn set(&self, py: Python<'_>, voxels: Numbers<'_, f64, Ix2>, material: Option<i64>, grid: i64) -> PyResult<i64> {
+        let (voxels, material, grid) = (voxels.as_array(), material_of(py, material)?, number_of(py, "grid", grid)?);
         if voxels.ncols() != 3 {
             return Err(argument("voxels have shape (N, 3)"));
         }
@@ -224,9 +227,12 @@ impl PyEditor {
 
     /// Index of the material of a voxel, `None` where it is empty.
     #[pyo3(signature = (voxel, *, grid=0))]
-    fn get(&self, py: Python<'_>, voxel: Three, grid: u32) -> Option<u16> {
+    fn get(&self, py: Python<'_>, voxel: Three, grid: i64) -> PyResult<Option<u16>> {
+        let Ok(grid) = u32::try_from(grid) else { return Ok(None) };
+        // A thread that edited when this process was forked holds the lock for ever.
+        forks::check()?;
         let edited = self.edited.lock_py_attached(py).unwrap_or_else(PoisonError::into_inner);
-        edited.scene.voxel(grid, voxel.0.floor().as_ivec3())
+        Ok(edited.scene.voxel(grid, voxel.0.floor().as_ivec3()))
     }
 
     /// Takes the last edit back. Returns whether there was one.
@@ -256,6 +262,19 @@ impl PyEditor {
         let name = self.with(py, |edited| edited.scene.scene().name.clone())?;
         Ok(format!("<Editor of {name:?}: {} voxels>", self.voxels(py)?))
     }
+}
+
+/// A number that something of the scene may have.
+fn number_of<T: TryFrom<i64>>(py: Python<'_>, what: &str, number: i64) -> PyResult<T> {
+    T::try_from(number).map_err(|_| other(py, format!("there is no {what} {number}")))
+}
+
+fn material_of(py: Python<'_>, material: Option<i64>) -> PyResult<Option<u16>> {
+    material.map(|material| number_of(py, "material", material)).transpose()
+}
+
+fn ball_of(center: Three, radius: f64) -> PyResult<Shape> {
+    Ok(Shape::Sphere { center: center.0, radius: positive(radius)? })
 }
 
 fn positive(radius: f64) -> PyResult<f64> {

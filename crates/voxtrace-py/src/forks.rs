@@ -1,5 +1,6 @@
 //! Processes that were forked, as `multiprocessing` does on some systems: the threads that all work shares stay with the parent, and a child that waited for
-//! them would wait for ever. It is told so instead.
+//! them would wait for ever. It is told so instead: whatever may use those threads, or waits for a lock that one of them may have held, goes through [`detach`]
+//! or [`check`]. `python/tests/test_forks.py` calls all that is public in such a child.
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;

@@ -49,8 +49,16 @@ impl PyVoxelGrid {
     }
 
     /// What an array of it shows: that of the array that it was made of, else the box around its voxels.
-    fn extent(&self) -> VoxelBox {
-        self.extent.or_else(|| self.grid.bounds()).unwrap_or(VoxelBox { min: IVec3::ZERO, max: IVec3::ZERO })
+    fn extent(&self, py: Python<'_>) -> PyResult<VoxelBox> {
+        match self.extent {
+            Some(extent) => Ok(extent),
+            None => Ok(self.box_of_voxels(py)?.unwrap_or(VoxelBox { min: IVec3::ZERO, max: IVec3::ZERO })),
+        }
+    }
+
+    /// The box around its voxels, which many threads look for.
+    fn box_of_voxels(&self, py: Python<'_>) -> PyResult<Option<VoxelBox>> {
+        detach(py, || self.grid.bounds())
     }
 }
 
@@ -65,8 +73,10 @@ impl PyVoxelGrid {
     ///
     /// `palette`: a list of `Material`, or an array of colours, shape `(N, 3)`: uint8 is sRGB, floats are linear. `origin`: the voxel of element
     /// `[0, 0, 0]`. The array is read where it lies, whatever its strides; one of another byte order, or a field of packed records, is copied.
+    /// What a masked array masks is empty.
     ///
-    /// Raises `ValueError` for other shapes, types and labels, and for a palette that lacks a label.
+    /// Raises `ValueError` for other shapes, types and labels, for masked colours, for a palette that lacks a label, and for an origin from which voxels
+    /// would lie beyond 32 bits.
     #[staticmethod]
     #[pyo3(signature = (array, palette=None, *, origin=None))]
     fn from_numpy(
@@ -75,8 +85,12 @@ impl PyVoxelGrid {
         palette: Option<&Bound<'_, PyAny>>,
         origin: Option<Three>,
     ) -> PyResult<Self> {
-        let origin = origin.map_or(Some(IVec3::ZERO), |origin| whole(origin.0));
-        let origin = origin.ok_or_else(|| argument("an origin is of whole numbers"))?;
+        let fits = |origin: &Three| origin.0.abs().max_element() < f64::from(i32::MAX);
+        let origin = match origin {
+            Some(origin) if !fits(&origin) => return Err(too_far()),
+            Some(origin) => whole(origin.0).ok_or_else(|| argument("an origin is of whole numbers"))?,
+            None => IVec3::ZERO,
+        };
         let palette = palette.map(materials_of).transpose()?;
         let untyped = array.cast::<PyUntypedArray>().map_err(|_| argument("an array of numpy is wanted"))?;
         let shape = untyped.shape().to_vec();
@@ -90,6 +104,7 @@ impl PyVoxelGrid {
             }
         };
         let extent = extent_of(origin, size)?;
+        let array = &unmasked(array, channels > 0)?;
         let kind = untyped.dtype().call_method1("newbyteorder", ("=",))?;
         let array = &readable(array, &kind)?;
         let made = if channels > 0 {
@@ -114,7 +129,7 @@ impl PyVoxelGrid {
     /// Raises `ValueError` for another kind, `MemoryError` where there is no room.
     #[pyo3(signature = (kind="labels"))]
     fn to_numpy<'py>(&self, py: Python<'py>, kind: &str) -> PyResult<Bound<'py, PyAny>> {
-        let extent = self.extent();
+        let extent = self.extent(py)?;
         let colors: Vec<[u8; 4]> = self
             .materials
             .iter()
@@ -136,20 +151,20 @@ impl PyVoxelGrid {
 
     /// The voxel of element `[0, 0, 0]` of `to_numpy`.
     #[getter]
-    fn origin(&self) -> [i32; 3] {
-        self.extent().min.to_array()
+    fn origin(&self, py: Python<'_>) -> PyResult<[i32; 3]> {
+        Ok(self.extent(py)?.min.to_array())
     }
 
     /// Shape of `to_numpy` of labels.
     #[getter]
-    fn shape(&self) -> (i32, i32, i32) {
-        self.extent().size().into()
+    fn shape(&self, py: Python<'_>) -> PyResult<(i32, i32, i32)> {
+        Ok(self.extent(py)?.size().into())
     }
 
     /// The lowest voxel and the one beyond the highest, `None` of an empty grid.
     #[getter]
-    fn bounds(&self) -> Option<([i32; 3], [i32; 3])> {
-        self.grid.bounds().map(|bounds| (bounds.min.to_array(), bounds.max.to_array()))
+    fn bounds(&self, py: Python<'_>) -> PyResult<Option<([i32; 3], [i32; 3])>> {
+        Ok(self.box_of_voxels(py)?.map(|bounds| (bounds.min.to_array(), bounds.max.to_array())))
     }
 
     /// Materials; voxels refer to them by index.
@@ -167,9 +182,9 @@ impl PyVoxelGrid {
         self.grid.get(voxel.0.floor().as_ivec3())
     }
 
-    fn __repr__(&self) -> String {
-        let (x, y, z) = self.shape();
-        format!("<VoxelGrid: {} voxels in {x} × {y} × {z}, {} materials>", self.grid.count(), self.materials.len())
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let ((x, y, z), materials) = (self.shape(py)?, self.materials.len());
+        Ok(format!("<VoxelGrid: {} voxels in {x} × {y} × {z}, {materials} materials>", self.grid.count()))
     }
 }
 
@@ -225,11 +240,25 @@ impl PyVoxelGrid {
 /// The voxels of an array of this size.
 fn extent_of(origin: IVec3, size: [usize; 3]) -> PyResult<VoxelBox> {
     let max = size.map(|length| i32::try_from(length).ok());
-    let [Some(x), Some(y), Some(z)] = max else { return Err(argument("the array is larger than coordinates reach")) };
-    let max = origin
-        .checked_add(IVec3::new(x, y, z))
-        .ok_or_else(|| argument("the array is larger than coordinates reach"))?;
-    Ok(VoxelBox { min: origin, max })
+    let [Some(x), Some(y), Some(z)] = max else { return Err(too_far()) };
+    // The bricks around them are within 32 bits too.
+    let max = origin.checked_add(IVec3::new(x, y, z)).filter(|max| max.max_element() <= i32::MAX - EDGE);
+    Ok(VoxelBox { min: origin, max: max.ok_or_else(too_far)? })
+}
+
+fn too_far() -> PyErr {
+    argument("the array reaches farther than coordinates of voxels do, which have 32 bits")
+}
+
+/// The array with nothing where it is masked.
+fn unmasked<'py>(array: &Bound<'py, PyAny>, has_colors: bool) -> PyResult<Bound<'py, PyAny>> {
+    if !array.py().import("numpy.ma")?.call_method1("is_masked", (array,))?.is_truthy()? {
+        return Ok(array.clone());
+    }
+    match has_colors {
+        true => Err(argument("colours are not masked: alpha 0 is empty")),
+        false => array.call_method1("filled", (0,)),
+    }
 }
 
 /// An array of this type, as it lies.

@@ -50,10 +50,10 @@ impl PyImage {
     fn array<'py, T: numpy::Element, const N: usize>(
         &self,
         py: Python<'py>,
-        values: impl Iterator<Item = [T; N]>,
+        values: impl Iterator<Item = [T; N]> + Send,
     ) -> PyResult<Bound<'py, PyArray3<T>>> {
         let (height, width) = self.size();
-        let values: Vec<T> = values.flatten().collect();
+        let values: Vec<T> = py.detach(|| values.flatten().collect());
         Ok(Array::from_shape_vec((height, width, N), values).map_err(argument)?.into_pyarray(py))
     }
 }
@@ -175,26 +175,9 @@ impl PyImage {
     #[staticmethod]
     #[pyo3(signature = (images, *, halfway=false))]
     fn merge(py: Python<'_>, images: Vec<PyRef<'_, Self>>, halfway: bool) -> PyResult<Self> {
-        let mut films: Vec<FilmFile> = images.iter().map(|image| image.picture.film_file().clone()).collect();
-        films.sort_by_key(|file| file.film.first_sample);
-        let half = films.iter().map(|file| file.frame.samples).sum::<u32>() / 2;
-        let mut films = films.into_iter();
-        let mut first = films.next().ok_or_else(|| argument("no picture to merge"))?;
-        let mut earlier = None;
-        for other in films {
-            if halfway && first.frame.samples == half {
-                earlier = Some(first.film.pixels.clone());
-            }
-            let alike = other.frame.clone().first_sample(first.frame.first_sample).samples(first.frame.samples);
-            if alike != first.frame || other.scene != first.scene {
-                return Err(argument("the pictures are of different frames or scenes"));
-            }
-            first.film.merge(&other.film).map_err(argument)?;
-            first.frame.samples += other.frame.samples;
-        }
-        first.film.earlier = earlier;
-        let device = images[0].device.clone();
-        detach(py, || Self::new(Picture::of_film(first), device))
+        let device = images.first().map(|image| image.device.clone()).unwrap_or_default();
+        let films: Vec<&FilmFile> = images.iter().map(|image| image.picture.film_file()).collect();
+        detach(py, || merged(films, halfway))?.map(|film| Self::new(Picture::of_film(film), device))
     }
 
     /// The same picture without its noise; `scene` is that which was rendered. `filter`: `"voxtrace"`, as `render` does it, or `"oidn"`, Intel's Open Image Denoise,
@@ -208,7 +191,7 @@ impl PyImage {
         }
         let packed = scene.packed(py, false)?;
         let file = self.picture.film_file().clone();
-        if SceneStamp::of(&packed).content_hash != file.scene.content_hash {
+        if detach(py, || SceneStamp::of(&packed))?.content_hash != file.scene.content_hash {
             return Err(argument("the picture is of another scene"));
         }
         if filter == "voxtrace" {
@@ -237,6 +220,28 @@ impl PyImage {
         let (height, width) = self.size();
         format!("<Image: {width} × {height}, {} samples>", self.film().sample_range().1)
     }
+}
+
+/// The film of all samples of films.
+fn merged(mut films: Vec<&FilmFile>, halfway: bool) -> PyResult<FilmFile> {
+    films.sort_by_key(|file| file.film.first_sample);
+    let half = films.iter().map(|file| file.frame.samples).sum::<u32>() / 2;
+    let mut films = films.into_iter();
+    let mut first = films.next().ok_or_else(|| argument("no picture to merge"))?.clone();
+    let mut earlier = None;
+    for other in films {
+        if halfway && first.frame.samples == half {
+            earlier = Some(first.film.pixels.clone());
+        }
+        let alike = other.frame.clone().first_sample(first.frame.first_sample).samples(first.frame.samples);
+        if alike != first.frame || other.scene != first.scene {
+            return Err(argument("the pictures are of different frames or scenes"));
+        }
+        first.film.merge(&other.film).map_err(argument)?;
+        first.frame.samples += other.frame.samples;
+    }
+    first.film.earlier = earlier;
+    Ok(first)
 }
 
 /// Open Image Denoise, of the package `pyoidn` where this Python has it.

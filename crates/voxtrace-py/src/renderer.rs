@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::glam::Vec3;
 use voxtrace::output::SceneStamp;
-use voxtrace::packed::{PackedInstance, Placement};
+use voxtrace::packed::{PackedInstance, Placement, PlacementError};
 use voxtrace::{Camera, Frame, Integrator, PackedScene, Picture, Progress, Ray, Tracer};
 use voxtrace_vulkan::{Choice, Request, Traversal, choose_for};
 
@@ -226,8 +226,13 @@ impl PyRenderer {
             transform_of(&rows).map(|transform| PackedInstance::new(instance.grid, transform, instance.scene_instance))
         };
         let placed = instances.iter().enumerate().map(placed).collect::<PyResult<Vec<_>>>()?;
-        let placement: Placement = self.scene.placement().moved(self.scene.geometry(), placed).map_err(argument)?;
-        let moved = Arc::new(self.scene.with_placement(&placement).map_err(argument)?);
+        let scene = &self.scene;
+        let moved = detach(py, || {
+            let placement = scene.placement().moved(scene.geometry(), placed)?;
+            let moved = scene.with_placement(&placement)?;
+            Ok::<(Placement, Arc<PackedScene>), PlacementError>((placement, Arc::new(moved)))
+        })?;
+        let (placement, moved) = moved.map_err(argument)?;
         self.give_scene(py)?;
         let tracer = exclusive(&mut self.tracer);
         self.is_stale = true;

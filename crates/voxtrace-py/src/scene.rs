@@ -19,10 +19,10 @@ use std::thread;
 use std::time::Duration;
 use voxtrace::cuts::Cuts;
 use voxtrace::export::{ExportError, writer_of};
-use voxtrace::glam::DAffine3;
+use voxtrace::glam::{DAffine3, IVec3};
 use voxtrace::material::MAX_MATERIALS;
 use voxtrace::packed::{FileErrorKind, PackError};
-use voxtrace::{Instance, PackedScene, Scene, Transform};
+use voxtrace::{Brick, Instance, Material, PackedScene, Scene, Transform, VoxelGrid};
 
 /// Time between two looks at whether another thread has packed the scene.
 const PERIOD: Duration = Duration::from_millis(5);
@@ -101,11 +101,25 @@ impl PyScene {
     }
 
     /// The scene as it can be read.
-    fn looked_at<T>(&self, of_scene: impl FnOnce(&Scene) -> T) -> PyResult<T> {
+    fn looked_at<T>(&self, py: Python<'_>, of_scene: impl FnOnce(&Scene) -> T) -> PyResult<T> {
         match &self.content {
             Held::Scene(scene) => Ok(of_scene(scene)),
-            Held::Packed(packed) => forks::check().map(|()| of_scene(&packed.to_scene())),
+            Held::Packed(packed) => detach(py, || packed.to_scene()).map(|scene| of_scene(&scene)),
         }
+    }
+
+    /// Puts a grid into a scene, whose voxels count materials from the first of `materials` in it. Returns the index of the instance.
+    fn put(
+        scene: &mut Scene,
+        voxels: Arc<VoxelGrid>,
+        materials: &[Material],
+        transform: Transform,
+        name: &str,
+    ) -> usize {
+        scene.materials.extend_from_slice(materials);
+        scene.grids.push(voxels);
+        scene.instances.push(Instance { name: name.into(), ..Instance::new(scene.grids.len() - 1, transform) });
+        scene.instances.len() - 1
     }
 
     /// The scene as it is traced; `keeps_instances` where they are to be moved or edited. Where another thread packs it, this one waits.
@@ -145,39 +159,49 @@ impl PyScene {
     /// A scene without anything in it, or of one grid at the origin.
     #[new]
     #[pyo3(signature = (grid=None, *, name="scene"))]
-    fn new(grid: Option<PyRef<'_, PyVoxelGrid>>, name: &str) -> PyResult<Self> {
-        let mut scene = Self::of(Scene::new(name));
+    fn new(grid: Option<PyRef<'_, PyVoxelGrid>>, name: &str) -> Self {
+        let mut scene = Scene::new(name);
         if let Some(grid) = grid {
-            scene.add(grid, None, "")?;
+            Self::put(&mut scene, Arc::clone(&grid.grid), &grid.materials, Transform::IDENTITY, "");
         }
-        Ok(scene)
+        Self::of(scene)
     }
 
     /// Adds a grid with its materials, placed by `transform` (4 × 4, voxels of the grid to the world). Returns the index of the instance.
     ///
     /// Raises `ValueError` for a transform that shears and for more than 65,535 materials.
     #[pyo3(signature = (grid, transform=None, *, name=""))]
-    fn add(&mut self, grid: PyRef<'_, PyVoxelGrid>, transform: Option<Matrix>, name: &str) -> PyResult<usize> {
-        let scene = self.changing()?;
-        let first = scene.materials.len();
-        if first + grid.materials.len() > MAX_MATERIALS {
-            return Err(argument(format!("more than {MAX_MATERIALS} materials")));
-        }
-        scene.materials.extend_from_slice(&grid.materials);
-        let voxels = match first {
-            0 => Arc::clone(&grid.grid),
-            _ => Arc::new(voxtrace::VoxelGrid::from_bricks(grid.grid.sorted_bricks().into_iter().map(
-                |(place, brick)| {
-                    let materials = brick.materials().iter().map(|material| material + first as u16).collect();
-                    (place, voxtrace::Brick::new(*brick.occupancy(), materials))
-                },
-            ))),
-        };
-        scene.grids.push(voxels);
+    fn add(
+        slf: &Bound<'_, Self>,
+        grid: PyRef<'_, PyVoxelGrid>,
+        transform: Option<Matrix>,
+        name: &str,
+    ) -> PyResult<usize> {
         let transform = transform.map_or(Transform::IDENTITY, |transform| transform.0);
-        let instance = Instance { name: name.into(), ..Instance::new(scene.grids.len() - 1, transform) };
-        scene.instances.push(instance);
-        Ok(scene.instances.len() - 1)
+        let (voxels, materials) = (&grid.grid, &grid.materials);
+        loop {
+            let first = slf.try_borrow_mut()?.changing()?.materials.len();
+            if first + materials.len() > MAX_MATERIALS {
+                return Err(argument(format!("more than {MAX_MATERIALS} materials")));
+            }
+            // Meanwhile other threads may use the scene.
+            let counted = match first {
+                0 => Arc::clone(voxels),
+                _ => Arc::new(detach(slf.py(), || counted_from(first as u16, voxels))?),
+            };
+            // One that packs the scene ends.
+            let mut held = loop {
+                match slf.try_borrow_mut() {
+                    Ok(held) => break held,
+                    Err(_) => detach(slf.py(), || thread::sleep(PERIOD))?,
+                }
+            };
+            let scene = held.changing()?;
+            // Unless one of them has added materials.
+            if scene.materials.len() == first {
+                return Ok(Self::put(scene, counted, materials, transform, name));
+            }
+        }
     }
 
     /// Adds another instance of the grid of an instance. Returns its index.
@@ -207,8 +231,8 @@ impl PyScene {
 
     /// The placed grids.
     #[getter]
-    fn instances(&self) -> PyResult<Vec<PyInstance>> {
-        self.looked_at(|scene| {
+    fn instances(&self, py: Python<'_>) -> PyResult<Vec<PyInstance>> {
+        self.looked_at(py, |scene| {
             let layer = |instance: &Instance| Some(scene.layers.get(instance.layer?)?.name.clone());
             let instance = |instance: &Instance| PyInstance {
                 name: instance.name.clone(),
@@ -224,9 +248,9 @@ impl PyScene {
     /// The voxels of a grid, with the materials of the scene.
     ///
     /// Raises `IndexError` where there is no such grid.
-    fn grid(&self, index: Index) -> PyResult<PyVoxelGrid> {
+    fn grid(&self, py: Python<'_>, index: Index) -> PyResult<PyVoxelGrid> {
         let Index(index) = index;
-        self.looked_at(|scene| {
+        self.looked_at(py, |scene| {
             let grid = scene.grids.get(index).cloned();
             let grid = grid.map(|grid| PyVoxelGrid::new(grid, scene.materials.clone()));
             grid.ok_or_else(|| {
@@ -237,8 +261,8 @@ impl PyScene {
 
     /// Materials; voxels refer to them by index.
     #[getter]
-    fn materials(&self) -> PyResult<Vec<PyMaterial>> {
-        self.looked_at(|scene| scene.materials.iter().map(|material| PyMaterial(*material)).collect())
+    fn materials(&self, py: Python<'_>) -> PyResult<Vec<PyMaterial>> {
+        self.looked_at(py, |scene| scene.materials.iter().map(|material| PyMaterial(*material)).collect())
     }
 
     /// Replaces a material.
@@ -363,7 +387,7 @@ impl PyScene {
     /// `voxel_size`, `content_hash`.
     fn info<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let packed = self.packed(py, false)?;
-        let statistics = detach(py, || packed.statistics())?;
+        let (statistics, hash) = detach(py, || (packed.statistics(), packed.content_hash()))?;
         let bytes = PyDict::new(py);
         for (kind, count) in statistics.bytes {
             bytes.set_item(kind, count)?;
@@ -383,7 +407,7 @@ impl PyScene {
         info.set_item("bytes_per_voxel", statistics.bytes_per_voxel)?;
         info.set_item("unit", unit_name(packed.unit))?;
         info.set_item("voxel_size", packed.voxel_size)?;
-        info.set_item("content_hash", format!("{:016x}", packed.content_hash()))?;
+        info.set_item("content_hash", format!("{hash:016x}"))?;
         Ok(info)
     }
 
@@ -432,6 +456,15 @@ impl PyScene {
         let voxels = self.voxels(py)?;
         Ok(format!("<Scene {:?}: {voxels} voxels>", self.name()))
     }
+}
+
+/// A grid with materials that are counted from `first` on.
+fn counted_from(first: u16, grid: &VoxelGrid) -> VoxelGrid {
+    let counted = |(place, brick): (IVec3, &Brick)| {
+        let materials = brick.materials().iter().map(|material| material + first).collect();
+        (place, Brick::new(*brick.occupancy(), materials))
+    };
+    VoxelGrid::from_bricks(grid.sorted_bricks().into_iter().map(counted))
 }
 
 /// What nobody else has now; `None` where somebody does.

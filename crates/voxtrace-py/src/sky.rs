@@ -23,15 +23,19 @@ pub struct PySky(pub Sky);
 #[pymethods]
 impl PySky {
     /// From one colour straight down to another straight up.
+    ///
+    /// Raises `ValueError` for channels below 0.
     #[staticmethod]
-    fn gradient(nadir: Color, zenith: Color) -> Self {
-        Self(Sky::gradient(nadir.0, zenith.0))
+    fn gradient(nadir: Color, zenith: Color) -> PyResult<Self> {
+        Ok(Self(Sky::gradient(nadir.radiance()?, zenith.radiance()?)))
     }
 
     /// The same radiance from everywhere.
+    ///
+    /// Raises `ValueError` for channels below 0.
     #[staticmethod]
-    fn uniform(color: Color) -> Self {
-        Self(Sky::uniform(color.0))
+    fn uniform(color: Color) -> PyResult<Self> {
+        Ok(Self(Sky::uniform(color.radiance()?)))
     }
 
     /// No light.
@@ -40,7 +44,7 @@ impl PySky {
         Self(Sky::black())
     }
 
-    /// A panorama, `.hdr` or `.exr`, turned counterclockwise by `rotation` degrees, seen from above.
+    /// A panorama, `.hdr` or `.exr`, turned clockwise by `rotation` degrees, seen from above.
     ///
     /// Raises `ReadError` where the file holds none.
     #[staticmethod]

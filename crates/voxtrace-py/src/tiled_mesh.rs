@@ -1,6 +1,7 @@
 //! `TiledMesh`: meshes of many files that are one, of whose space many processes voxelize some each. `voxtrace.dask` shares it out.
 
 use crate::errors::{argument, of_reading, raised};
+use crate::forks::detach;
 use crate::tiles::{limits_of, on_threads, unit_of, with_levels, work, writing};
 use crate::volume::scale_of;
 use pyo3::prelude::*;
@@ -52,7 +53,7 @@ impl PyTiledMesh {
             ..usual
         };
         let import = ImportOptions { limits, unit: unit.map(unit_of).transpose()?, ..ImportOptions::default() };
-        let mesh = TiledMesh::open(paths, &import).map_err(|error| of_reading(py, &error))?;
+        let mesh = detach(py, || TiledMesh::open(paths, &import))?.map_err(|error| of_reading(py, &error))?;
         Ok(Self { mesh, options, limits })
     }
 
@@ -108,9 +109,9 @@ impl PyTiledMesh {
 /// Brings together what several processes have found in files.
 #[pyfunction]
 pub fn join_mesh_surveys<'py>(py: Python<'py>, found: Vec<Vec<u8>>) -> PyResult<Bound<'py, PyBytes>> {
-    let joined = py.detach(|| {
+    let joined = detach(py, || {
         let surveys = found.iter().map(|found| MeshTiles::from_bytes(found)).collect::<Result<Vec<_>, _>>()?;
         MeshTiles::join(surveys).map(|joined| joined.to_bytes())
-    });
+    })?;
     joined.map(|joined| PyBytes::new(py, &joined)).map_err(|error| raised(py, error))
 }

@@ -256,6 +256,6 @@ pub fn unit_of(symbol: &str) -> PyResult<LengthUnit> {
 /// Brings together what several processes have found in files.
 #[pyfunction]
 pub fn join_surveys<'py>(py: Python<'py>, found: Vec<Vec<u8>>) -> PyResult<Bound<'py, PyBytes>> {
-    let joined = py.detach(|| joined_bytes(found.iter().map(Vec::as_slice)));
+    let joined = detach(py, || joined_bytes(found.iter().map(Vec::as_slice)))?;
     joined.map(|joined| PyBytes::new(py, &joined)).map_err(|error| raised(py, error))
 }

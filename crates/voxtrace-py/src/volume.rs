@@ -52,7 +52,8 @@ impl PyVolume {
         let (x, y, z) = view.dim();
         let values = detach(py, || first_axis_fastest(&view))?;
         let volume = frame_of(([x, y, z], values), (spacing, affine, unit), labels, name)?;
-        volume.validate().map_err(argument)?;
+        // First that there are samples: of none it is no fault that none are there.
+        volume.validate_lattice().and_then(|()| volume.validate()).map_err(argument)?;
         Ok(Self(volume))
     }
 

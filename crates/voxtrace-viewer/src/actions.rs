@@ -167,6 +167,7 @@ impl Session {
             // Dragging moves the camera again.
         } else if let Some(loading) = self.loading.take() {
             self.stay_as_shown(loading.is_again);
+            self.play_what_was_read();
             self.say(tr!("said.opening_was_stopped"), false);
         } else if self.has_help {
             self.has_help = false;
@@ -174,6 +175,8 @@ impl Session {
             benchmark.cancel();
         } else if self.stop_making() {
             // One at a time, the quickest to make again first.
+        } else if self.timeline.is_playing() {
+            self.toggle_play();
         } else if self.cancel_measuring() || self.cancel_editing() {
             // Points first, then the tool.
         } else if self.dismiss_errors() {
@@ -314,9 +317,12 @@ impl Session {
     fn hide_picked(&mut self, cursor: Option<Vec2>) {
         let picked = self.picked.take().or_else(|| cursor.and_then(|cursor| self.pick(cursor)));
         let object = picked.zip(self.open.as_ref()).and_then(|(picked, open)| open.object_of(&picked.hit));
-        if let Some(object) = object {
-            self.set_visible(&[object], false);
-            self.say(tr!("said.object_is_hidden", object = object), false);
+        match object {
+            Some(object) => {
+                self.set_visible(&[object], false);
+                self.say(tr!("said.object_is_hidden", object = object), false);
+            }
+            None => self.say(tr!("outliner.nothing_picked"), false),
         }
     }
 

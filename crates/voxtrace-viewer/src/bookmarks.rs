@@ -1,12 +1,15 @@
 //! Cameras that somebody keeps by the numbers 1 to 9, in a file beside the scene, `SCENE.cameras.toml`. Each is a table `[bookmarks.N]`
-//! with the lines of a camera file; what else the file holds is kept, save comments.
+//! with the lines of a camera file, and with the file of the scene, how large its voxels were and where it began: where the same file is read with
+//! another resolution, or another origin, the same place is found again by these. What else the file holds is kept, save comments.
 
 use crate::camera_toml;
 use crate::kept_file::{self, KeptError};
+use crate::scale::Scale;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 use voxtrace::Camera;
+use voxtrace::glam::{DVec3, Vec3};
 
 /// The numbers of bookmarks.
 pub const SLOTS: RangeInclusive<u8> = 1..=9;
@@ -14,6 +17,13 @@ pub const SLOTS: RangeInclusive<u8> = 1..=9;
 const KEY: &str = "bookmarks";
 /// First line of a file that we write.
 const HEADER: &str = "# Cameras kept by voxtrace; each table has the lines of a camera file.\n\n";
+/// Of the scene that a camera was kept in: the name of its file, the edge of a voxel, units, and the coordinates of the corner of its world, where it has
+/// some. `church.vxt` and `church.vox` share their bookmarks, and their voxels need not be of one size, nor in one unit.
+const SCENE: &str = "scene";
+const VOXEL_SIZE: &str = "voxel_size";
+const ORIGIN: &str = "origin";
+/// Voxels that an origin, which is rounded, may lie beside the same one.
+const SAME: f64 = 1e-3;
 
 /// Why bookmarks cannot be read or kept.
 #[derive(Debug, thiserror::Error)]
@@ -30,10 +40,28 @@ pub enum BookmarkError {
     Camera(String),
 }
 
+/// The scene that bookmarks are seen in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// The name of its file, without the folder; of a built-in scene its own.
+    name: String,
+    scale: Scale,
+}
+
+impl Seen {
+    /// A scene by its source, with its scale.
+    pub fn new(source: &str, scale: Scale) -> Self {
+        let name = Path::new(source).file_name().map_or_else(|| source.into(), |name| name.to_string_lossy());
+        Self { name: name.into_owned(), scale }
+    }
+}
+
 /// The bookmarks of one scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bookmarks {
     path: PathBuf,
+    /// The scene that they are seen in; `None`: they are as they stand in the file.
+    scene: Option<Seen>,
     cameras: [Option<Camera>; 9],
 }
 
@@ -49,17 +77,29 @@ impl Bookmarks {
         folder.join(format!("{name}.cameras.toml"))
     }
 
-    /// Reads the bookmarks at `path`; where no file is, there are none yet.
+    /// Reads the bookmarks at `path` as they stand there; where no file is, there are none yet.
     ///
     /// # Errors
     /// [`BookmarkError::File`].
     pub fn open(path: &Path) -> Result<Self, BookmarkError> {
+        Self::read(path, None)
+    }
+
+    /// As [`Self::open`], in the voxels of a scene: those that were kept with another resolution of the same file stay in their place.
+    ///
+    /// # Errors
+    /// Those of [`Self::open`].
+    pub fn open_in(path: &Path, scene: Seen) -> Result<Self, BookmarkError> {
+        Self::read(path, Some(scene))
+    }
+
+    fn read(path: &Path, scene: Option<Seen>) -> Result<Self, BookmarkError> {
         let table = kept_file::read(KEY, path)?;
         let mut cameras = <[Option<Camera>; 9]>::default();
         for (camera, number) in cameras.iter_mut().zip(SLOTS) {
-            *camera = camera_of(&table, number).map_err(|reason| damaged(path, reason))?;
+            *camera = camera_of(&table, number, scene.as_ref()).map_err(|reason| damaged(path, reason))?;
         }
-        Ok(Self { path: path.to_path_buf(), cameras })
+        Ok(Self { path: path.to_path_buf(), scene, cameras })
     }
 
     /// The camera of a number.
@@ -81,6 +121,7 @@ impl Bookmarks {
         let mut probe = Table::new();
         camera_toml::write(camera, &mut probe);
         camera_toml::read(&probe).map_err(BookmarkError::Camera)?;
+        let scene = self.scene.clone();
         self.change(number, |bookmarks| {
             let entry = bookmarks.entry(number.to_string()).or_insert_with(|| Value::Table(Table::new()));
             if let Value::Table(entry) = entry {
@@ -88,8 +129,15 @@ impl Bookmarks {
                 if let Ok(before) = camera_toml::read(entry) {
                     before.lens.settings().into_iter().for_each(|(key, _)| _ = entry.remove(key));
                 }
-                entry.remove("lens");
+                // Nor of the scene that it was kept in.
+                ["lens", SCENE, VOXEL_SIZE, ORIGIN].iter().for_each(|key| _ = entry.remove(*key));
                 camera_toml::write(camera, entry);
+                if let Some(Seen { name, scale }) = &scene {
+                    entry.insert(SCENE.into(), Value::String(name.clone()));
+                    entry.insert(VOXEL_SIZE.into(), Value::Float(scale.voxel_size));
+                    let origin = scale.coordinates(DVec3::ZERO).map(|origin| origin.to_array().map(Value::Float));
+                    entry.extend(origin.map(|origin| (ORIGIN.to_owned(), Value::Array(origin.to_vec()))));
+                }
             }
         })
     }
@@ -97,6 +145,15 @@ impl Bookmarks {
     /// Forgets the camera of a number, in the file too. Errors are those of [`Self::store`].
     pub fn remove(&mut self, number: u8) -> Result<(), BookmarkError> {
         self.change(number, |bookmarks| drop(bookmarks.remove(&number.to_string())))
+    }
+
+    /// Keeps those that were kept with another resolution once more, as they are in the scene: commands read them as they stand in the file. Errors are
+    /// those of [`Self::store`].
+    pub(crate) fn settle(&mut self) -> Result<(), BookmarkError> {
+        let written = Self::open(&self.path)?;
+        let moved = self.iter().filter(|(number, camera)| written.get(*number) != Some(*camera));
+        let moved: Vec<(u8, Camera)> = moved.map(|(number, camera)| (number, camera.clone())).collect();
+        moved.iter().try_for_each(|(number, camera)| self.store(*number, camera))
     }
 
     fn change(&mut self, number: u8, change: impl FnOnce(&mut Table)) -> Result<(), BookmarkError> {
@@ -110,7 +167,7 @@ impl Bookmarks {
             change(bookmarks);
         }
         kept_file::write(KEY, &self.path, HEADER, &table)?;
-        *self = Self::open(&self.path)?;
+        *self = Self::read(&self.path, self.scene.clone())?;
         Ok(())
     }
 }
@@ -119,12 +176,43 @@ fn damaged(path: &Path, reason: String) -> BookmarkError {
     KeptError::Damaged { what: KEY, path: path.to_path_buf(), reason }.into()
 }
 
-fn camera_of(table: &Table, number: u8) -> Result<Option<Camera>, String> {
+fn camera_of(table: &Table, number: u8, scene: Option<&Seen>) -> Result<Option<Camera>, String> {
     let Some(bookmarks) = table.get(KEY) else { return Ok(None) };
     let bookmarks = bookmarks.as_table().ok_or_else(|| format!("`{KEY}` is no table"))?;
     let Some(entry) = bookmarks.get(&number.to_string()) else { return Ok(None) };
     let entry = entry.as_table().ok_or_else(|| format!("bookmark {number} is no table"))?;
-    camera_toml::read(entry).map(Some).map_err(|reason| format!("bookmark {number}: {reason}"))
+    let camera = camera_toml::read(entry).map_err(|reason| format!("bookmark {number}: {reason}"))?;
+    Ok(Some(match scene {
+        Some(scene) => placed(camera, entry, scene),
+        None => camera,
+    }))
+}
+
+/// A camera in the voxels of a scene, from those that it was kept in.
+fn placed(camera: Camera, entry: &Table, scene: &Seen) -> Camera {
+    let scale = &scene.scale;
+    // The voxels of another file say nothing about those of this one.
+    if entry.get(SCENE).and_then(Value::as_str) != Some(&scene.name) {
+        return camera;
+    }
+    let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64));
+    let number = |value: &Value| number(value).filter(|number| number.is_finite());
+    // Who wrote it by hand meant the scene as it is.
+    let Some(size) = entry.get(VOXEL_SIZE).and_then(number).filter(|size| *size > 0.0) else { return camera };
+    let factor = size / scale.voxel_size;
+    let origin = entry.get(ORIGIN).and_then(Value::as_array);
+    let origin = origin.and_then(|numbers| numbers.iter().map(number).collect::<Option<Vec<f64>>>());
+    let origin = origin.and_then(|numbers| Some(DVec3::from_array(numbers.try_into().ok()?)));
+    let shift = scale.georeference.as_ref().zip(origin);
+    let shift = shift.map(|(own, origin)| own.coordinates_from_world.inverse().transform_point3(origin));
+    let shift = shift.filter(|shift| shift.length() > SAME).unwrap_or_default();
+    // To the bit where nothing moved.
+    if factor == 1.0 && shift == DVec3::ZERO {
+        return camera;
+    }
+    let moved = |point: Vec3| (point.as_dvec3() * factor + shift).as_vec3();
+    let (eye, target, lens) = (moved(camera.eye), moved(camera.target), camera.lens.scaled(factor as f32));
+    Camera { eye, target, lens, ..camera }
 }
 
 #[cfg(test)]
@@ -132,7 +220,8 @@ mod tests {
     use super::*;
     use std::fs;
     use voxtrace::camera::Lens;
-    use voxtrace::glam::Vec3;
+    use voxtrace::georeference::Georeference;
+    use voxtrace::scene::Unit;
 
     fn camera(x: f32) -> Camera {
         Camera { name: format!("at {x}"), fov_y: 33.3, ..Camera::look_at(Vec3::new(x, 0.1, -7.7), Vec3::ZERO) }
@@ -188,6 +277,46 @@ mod tests {
         }
         let text = fs::read_to_string(&path).unwrap();
         assert!(!["lens", "aperture", "view_height"].iter().any(|key| text.contains(key)), "{text}");
+    }
+
+    #[test]
+    fn with_another_resolution_or_origin_cameras_stay_in_their_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.cameras.toml");
+        let of_size = |voxel_size| Scale { voxel_size, unit: Unit::Metre, georeference: None };
+        let seen = |scale| Seen::new("rooms/a.vxt", scale);
+        let scale = |size| seen(of_size(size));
+        let at = |size, origin| {
+            let georeference = Some(Georeference::of_grid(DVec3::splat(origin), size, "EPSG:25832"));
+            seen(Scale { georeference, ..of_size(size) })
+        };
+        let lens = Lens::Orthographic { view_height: 20.0 };
+        let kept = Camera { eye: Vec3::new(2.0, 4.0, 6.0), ..camera(1.0) }.with_lens(lens);
+        Bookmarks::open_in(&path, scale(0.5)).unwrap().store(1, &kept).unwrap();
+        assert_eq!(Bookmarks::open_in(&path, scale(0.5)).unwrap().get(1), Some(&kept), "to the bit");
+        let mut finer = Bookmarks::open_in(&path, scale(0.25)).unwrap();
+        let twice = Camera { eye: Vec3::new(4.0, 8.0, 12.0), ..kept.clone() };
+        let twice = twice.with_lens(Lens::Orthographic { view_height: 40.0 });
+        assert_eq!(finer.get(1), Some(&twice));
+        assert_eq!(Bookmarks::open(&path).unwrap().get(1), Some(&kept), "reading changes no file");
+        // Commands read the file as it is: it is brought into the voxels of the scene for them.
+        finer.settle().unwrap();
+        assert_eq!((finer.get(1), Bookmarks::open(&path).unwrap().get(1)), (Some(&twice), Some(&twice)));
+        assert_eq!(Bookmarks::open_in(&path, scale(0.5)).unwrap().get(1), Some(&kept));
+        Bookmarks::open_in(&path, at(0.5, 1000.0)).unwrap().store(2, &kept).unwrap();
+        let moved = Bookmarks::open_in(&path, at(0.25, 990.0)).unwrap().get(2).cloned().unwrap();
+        assert_eq!(moved.eye, Vec3::new(44.0, 48.0, 52.0), "10 further on, and half as large");
+        assert_eq!(Bookmarks::open_in(&path, at(0.5, 1000.0)).unwrap().get(2), Some(&kept), "to the bit");
+        // Another file beside it has its own voxels: there the camera is as it stands.
+        let other = Seen::new("rooms/a.vox", Scale { voxel_size: 1.0, unit: Unit::Voxel, georeference: None });
+        let mut other = Bookmarks::open_in(&path, other).unwrap();
+        assert_eq!((other.get(1), other.get(2)), (Some(&twice), Some(&kept)));
+        let text = fs::read_to_string(&path).unwrap();
+        other.settle().unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), text, "nothing is kept anew");
+        // Of a camera from elsewhere nothing is known.
+        Bookmarks::open(&path).unwrap().store(2, &kept).unwrap();
+        assert_eq!(Bookmarks::open_in(&path, at(0.25, 990.0)).unwrap().get(2), Some(&kept));
     }
 
     #[test]

@@ -206,7 +206,7 @@ impl Loading {
         Self {
             source: source.to_owned(),
             is_again,
-            work: "opening".into(),
+            work: tr!("messages.work").to_owned(),
             share: None,
             seconds_left: None,
             depends_on_cuts: false,

@@ -102,12 +102,14 @@ impl Session {
         self.open.as_ref().is_some_and(|open| open.keyframes > 0)
     }
 
-    /// A scene whose file has keyframes is read again to be moved, once the timeline is shown.
-    pub(crate) fn ask_for_motion(&mut self) {
-        if self.has_keyframes() && self.moving.is_none() && !self.refuses_to_read_again() {
+    /// A scene whose file has keyframes is read again to be moved, once the timeline is shown. Returns whether that was asked for.
+    pub(crate) fn ask_for_motion(&mut self) -> bool {
+        let asks = self.has_keyframes() && self.moving.is_none() && !self.refuses_to_read_again();
+        if asks {
             self.wants_motion = true;
             self.ask(Command::LoadAgain);
         }
+        asks
     }
 
     /// The command that renders the picture of a scene that moves: the frame under the playhead, of the timeline as it is kept now.

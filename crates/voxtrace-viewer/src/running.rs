@@ -73,7 +73,7 @@ impl Running {
             let _ = sender.send(Answer::Done(done));
             wake();
         });
-        let (work, thread) = ("beginning".into(), Some(thread));
+        let (work, thread) = (tr!("running.beginning").to_owned(), Some(thread));
         let measured = None;
         Self { request, work, share: None, seconds_left: None, is_stopping: false, measured, answers, wanted, thread }
     }

@@ -152,7 +152,7 @@ impl Session {
         if self.open.is_some() && is_panorama(path) {
             self.set_panorama(path);
         } else {
-            self.ask(Command::Load(path.display().to_string()));
+            self.open_file(path);
         }
     }
 

@@ -133,6 +133,9 @@ impl Bindings {
 
 impl Drop for Bindings {
     fn drop(&mut self) {
+        if self.device.hung().is_some() {
+            return;
+        }
         let raw = &self.device.raw;
         // SAFETY: the submitter, dropped before, waited for everything; null handles are allowed.
         unsafe {

@@ -111,6 +111,9 @@ impl Buffer {
 
 impl Drop for Buffer {
     fn drop(&mut self) {
+        if self.device.hung().is_some() {
+            return;
+        }
         // SAFETY: whoever drops a buffer has waited for the work that uses it.
         unsafe { self.device.raw.destroy_buffer(self.handle, None) };
         if let Some(allocation) = self.allocation.take() {

@@ -113,6 +113,8 @@ pub struct DeviceInfo {
     /// Why ray tracing pipelines cannot run.
     pub pipeline_missing: Option<String>,
     pub(crate) physical: vk::PhysicalDevice,
+    /// What tells it from others of its name, wherever the loader lists it; zeros before Vulkan 1.1.
+    pub(crate) uuid: [u8; vk::UUID_SIZE],
     pub(crate) queue_family: u32,
     /// Queues of that family.
     pub(crate) queue_count: u32,

@@ -4,6 +4,7 @@ mod several;
 
 use crate::capabilities::DeviceKind;
 use crate::device::Device;
+use crate::listing::devices;
 use crate::method::{Primitive, Settings, Traversal};
 use crate::probe::{Cache, Cached, ProbeReport};
 use crate::tracer::VulkanTracer;
@@ -80,8 +81,8 @@ pub fn choose_for(request: &Request, scene: &Arc<PackedScene>) -> Result<Choice,
 ///    the CPU: its vector walk is several times as fast as Vulkan in software.
 /// 2. A traversal asked for, but no device: the best hardware, else the first software device.
 /// 3. A device asked for, but no traversal: its compute walk.
-/// 4. Several devices asked for: they share the work ([`crate::SharedTracer`]), and the picture is the same. All of them: those that are hardware and can do the
-///    traversal; with one of them, or none, as if none had been asked for.
+/// 4. Several devices asked for: they share the work ([`crate::SharedTracer`]), and the picture is the same. All of them: those that are hardware, can do the
+///    traversal and open, with a warning about the others; with one of them, or none, as if none had been asked for.
 /// 5. Acceleration structures are made of bricks. Where the driver's probes are kept and speak against that, of what they
 ///    trust: bricks, grids, triangles, in this order; where they trust none, the compute walk takes over. A primitive that was
 ///    asked for stays, and the reason says what speaks against it. Probes are never run here.
@@ -105,10 +106,13 @@ pub fn choose(request: &Request) -> Result<Choice, TraceError> {
 
 fn choose_one(request: &Request, options: Options) -> Result<Choice, TraceError> {
     let cpu = Choice::cpu;
-    let open = |wanted| Device::open(options.clone(), wanted, request.memory_budget);
+    let open = |wanted: Option<&str>| Device::open(options.clone(), wanted, request.memory_budget);
     let device = match (request.device.as_deref(), request.traversal) {
         (Some(device), _) => open(Some(device))?,
-        (None, Some(_)) => open(None).or_else(|error| open(Some("0")).map_err(|_| error))?,
+        (None, Some(_)) => open(None).or_else(|error| match first_in_software(&options) {
+            Some(number) => open(Some(&number.to_string())),
+            None => Err(error),
+        })?,
         (None, None) => match open(None) {
             Ok(device) => device,
             Err(TraceError::Unsupported(why)) => return Ok(cpu(format!("tracing on the CPU: {why}"))),
@@ -131,6 +135,12 @@ fn choose_one(request: &Request, options: Options) -> Result<Choice, TraceError>
     };
     let reason = format!("tracing on {}, {} ({why}){remark}", device.info().name, with(settings));
     Ok(Choice { tracer: Box::new(tracer), traversal: settings.traversal, reason, warning: None })
+}
+
+/// The number of the first software device that can trace.
+fn first_in_software(options: &Options) -> Option<usize> {
+    let mut devices = devices(options.clone()).ok()?.into_iter();
+    devices.find(|info| info.kind == DeviceKind::Cpu && info.walk_missing.is_none()).map(|info| info.index)
 }
 
 /// The traversal of settings, in words.

@@ -19,6 +19,10 @@ use voxtrace_core::TraceError;
 const SLOTS: usize = 2;
 /// The host never waits longer than this in one call.
 const WAIT_SLICE: Duration = Duration::from_secs(1);
+/// So many times it waits for a submit: those that trace take a fraction of a second, and building acceleration structures for a large scene takes seconds.
+const WAITS: u32 = 60;
+/// The same in software, which compiles shaders on first use and takes long for everything.
+const WAITS_IN_SOFTWARE: u32 = 300;
 /// Parts that a submit may have, one after the other.
 const PARTS: usize = 2;
 /// Times of a submit: when it began, and when each part was over.
@@ -334,25 +338,22 @@ impl Submitter {
         barrier(&self.device, commands);
     }
 
-    /// Waits in slices, so that a device that hangs ends in an error.
+    /// Waits in slices, so that a device that hangs ends in an error. They are counted, as clocks go on while a machine sleeps or the program is stopped.
     fn wait_for(&self, value: u64, step: &'static str) -> Result<(), TraceError> {
         let (semaphores, values) = ([self.timeline], [value]);
         let info = vk::SemaphoreWaitInfo::default().semaphores(&semaphores).values(&values);
-        let limit = match self.device.info().kind {
-            // Software compiles shaders on first use and has no watchdog.
-            DeviceKind::Cpu => Duration::from_secs(300),
-            _ => Duration::from_secs(20),
-        };
-        let start = Instant::now();
-        loop {
+        let waits = if self.device.info().kind == DeviceKind::Cpu { WAITS_IN_SOFTWARE } else { WAITS };
+        for _ in 0..waits {
             // SAFETY: the semaphore is alive.
             match unsafe { self.device.raw.wait_semaphores(&info, WAIT_SLICE.as_nanos() as u64) } {
                 Ok(()) => return Ok(()),
-                Err(vk::Result::TIMEOUT) if start.elapsed() < limit => {}
-                Err(vk::Result::TIMEOUT) => return Err(failed(step, vk::Result::ERROR_DEVICE_LOST)),
+                Err(vk::Result::TIMEOUT) => {}
                 Err(error) => return Err(failed(step, error)),
             }
         }
+        let waited = waits * WAIT_SLICE;
+        self.device.give_up(waited);
+        Err(TraceError::DeviceLost { last_pass: format!("{step}, which did not end within {} s", waited.as_secs()) })
     }
 
     /// The times of both parts of a submit.
@@ -388,6 +389,9 @@ fn summed(bytes: &[u8]) -> [u32; COUNTERS] {
 impl Drop for Submitter {
     fn drop(&mut self) {
         self.device.wait_idle();
+        if self.device.hung().is_some() {
+            return;
+        }
         let raw = &self.device.raw;
         // SAFETY: the device is idle; null handles are allowed.
         unsafe {

@@ -10,7 +10,8 @@ use gpu_allocator::AllocationSizes;
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::ffi::CStr;
 use std::mem::ManuallyDrop;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::Duration;
 use voxtrace_core::TraceError;
 
 const MIB: u64 = 1 << 20;
@@ -27,6 +28,8 @@ pub struct Device {
     pub(crate) acceleration: Option<khr::acceleration_structure::Device>,
     pub(crate) pipelines: Option<khr::ray_tracing_pipeline::Device>,
     fault: Option<ext::device_fault::Device>,
+    /// How long nobody heard of work that did not end.
+    hung: OnceLock<Duration>,
     info: DeviceInfo,
     budget_bytes: Option<u64>,
     vulkan: Arc<Vulkan>,
@@ -132,6 +135,7 @@ impl Device {
             acceleration: has_acceleration.then(|| khr::acceleration_structure::Device::new(instance, &raw)),
             pipelines: has_pipeline.then(|| khr::ray_tracing_pipeline::Device::new(instance, &raw)),
             fault: info.has(ext::device_fault::NAME).then(|| ext::device_fault::Device::new(instance, &raw)),
+            hung: OnceLock::new(),
             raw,
             queue: first,
             present_queue: second,
@@ -151,8 +155,7 @@ impl Device {
         // Where a window or validation made the instance it is made anew, as it may not list the device any more; the plain one, which others
         // use as well, stays open, and lists it again.
         let vulkan = Vulkan::open(self.vulkan.options.clone())?;
-        let same = |info: &DeviceInfo| info.name == self.info.name && info.index == self.info.index;
-        let found = list(&vulkan)?.into_iter().find(same);
+        let found = same_device(list(&vulkan)?, &self.info);
         let info = found.ok_or_else(|| TraceError::Unsupported(format!("{} is gone", self.info.name)))?;
         Self::new(vulkan, info, self.budget_bytes)
     }
@@ -204,7 +207,8 @@ impl Device {
 
     /// What the driver knows about the fault that lost the device, for people; `None` where it says nothing.
     pub fn fault_report(&self) -> Option<String> {
-        let fault = self.fault.as_ref()?;
+        // Drivers are asked about devices that they call lost.
+        let fault = self.fault.as_ref().filter(|_| self.hung().is_none())?;
         let mut counts = vk::DeviceFaultCountsEXT::default();
         // SAFETY: without a record for the faults the call only counts them.
         let counted =
@@ -259,16 +263,38 @@ impl Device {
         self.present_queue.is_some()
     }
 
-    /// Waits until the queue that shows pictures does nothing. What traces goes on where it has a queue of its own.
+    /// Gives the device up after it was waited for so long. Its work may never end: nobody waits for that, and what it uses is not freed.
+    pub(crate) fn give_up(&self, waited: Duration) {
+        let _ = self.hung.set(waited);
+    }
+
+    /// How long it was waited for where it was given up, else `None`.
+    pub(crate) fn hung(&self) -> Option<Duration> {
+        self.hung.get().copied()
+    }
+
+    /// Whether the device was given up, as its work did not end. It may still use all that was made on it, which has to stay.
+    pub fn is_given_up(&self) -> bool {
+        self.hung().is_some()
+    }
+
+    /// Waits until the queue that shows pictures does nothing, unless the device [was given up](Self::is_given_up). What traces
+    /// goes on where it has a queue of its own.
     pub fn wait_presented(&self) {
+        if self.hung().is_some() {
+            return;
+        }
         let queue = self.present_queue();
         // An error means that the device is lost: then it does nothing either.
         // SAFETY: the queue is locked.
         let _ = unsafe { self.raw.queue_wait_idle(*queue) };
     }
 
-    /// Waits until the device does nothing.
+    /// Waits until the device does nothing, unless it [was given up](Self::is_given_up).
     pub fn wait_idle(&self) {
+        if self.hung().is_some() {
+            return;
+        }
         let _tracing = self.queue();
         let _presenting = self.present_queue.as_ref().map(|queue| queue.lock().unwrap_or_else(PoisonError::into_inner));
         // An error means that the device is lost: then it does nothing either.
@@ -279,6 +305,11 @@ impl Device {
 
 impl Drop for Device {
     fn drop(&mut self) {
+        if self.hung().is_some() {
+            // The instance stays as well: it is that of a device.
+            std::mem::forget(Arc::clone(&self.vulkan));
+            return;
+        }
         // SAFETY: whatever was made on the device kept it alive, so nothing is left; the allocator goes first.
         unsafe {
             ManuallyDrop::drop(&mut self.allocator);
@@ -292,16 +323,24 @@ pub(crate) fn locked(allocator: &Mutex<Allocator>) -> MutexGuard<'_, Allocator> 
     allocator.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// The device of `lost` among those that are listed now, maybe in another order. Drivers in software may give all their devices one UUID: then the number decides.
+fn same_device(devices: Vec<DeviceInfo>, lost: &DeviceInfo) -> Option<DeviceInfo> {
+    let same = devices.into_iter().filter(|info| info.uuid == lost.uuid && info.name == lost.name);
+    same.min_by_key(|info| info.index != lost.index)
+}
+
 fn choose(devices: Vec<DeviceInfo>, wanted: Option<&str>) -> Result<DeviceInfo, TraceError> {
     let names = || devices.iter().map(|info| format!("{} {}", info.index, info.name)).collect::<Vec<_>>().join(", ");
     match wanted {
         Some(wanted) => {
             let number: Option<usize> = wanted.parse().ok();
-            let is_it = |info: &&DeviceInfo| match number {
-                Some(number) => info.index == number,
-                None => info.name.to_lowercase().contains(&wanted.to_lowercase()),
-            };
-            devices.iter().find(is_it).cloned().ok_or_else(|| {
+            let has_number = |info: &&DeviceInfo| Some(info.index) == number;
+            let has_name = |info: &&DeviceInfo| info.name.to_lowercase().contains(&wanted.to_lowercase());
+            // Models have numbers, too, and machines few devices: versions in names are not meant.
+            let may_be_name = number.is_none_or(|number| number >= 100);
+            let by_name = || devices.iter().find(has_name).filter(|_| may_be_name);
+            let found = devices.iter().find(has_number).or_else(by_name);
+            found.cloned().ok_or_else(|| {
                 TraceError::Unsupported(format!("no device is called {wanted:?}; there are: {}", names()))
             })
         }
@@ -318,5 +357,37 @@ fn choose(devices: Vec<DeviceInfo>, wanted: Option<&str>) -> Result<DeviceInfo, 
                 false => TraceError::Unsupported(format!("no hardware among the Vulkan devices: {}", names())),
             })
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::listing::devices;
+    use voxtrace_test_support::{Need, skip_without};
+
+    #[test]
+    fn devices_are_found_by_what_stays_and_by_what_people_call_them() {
+        let listed = devices(Options::default()).unwrap_or_default();
+        let Some(any) = listed.first() else {
+            skip_without(Need::Vulkan, "no Vulkan device");
+            return;
+        };
+        let device = |index, uuid: u8| DeviceInfo { index, uuid: [uuid; vk::UUID_SIZE], ..any.clone() };
+        let found = |devices: Vec<DeviceInfo>, lost| same_device(devices, &lost).map(|info| info.index);
+        assert_eq!(found(vec![device(0, 7), device(1, 5)], device(0, 5)), Some(1), "its number has another one");
+        assert_eq!(found(vec![device(0, 5), device(1, 5)], device(1, 5)), Some(1), "all have one UUID");
+        assert_eq!(found(vec![device(0, 7)], device(0, 5)), None, "it is gone");
+        // By what people call them.
+        let named = |index, name: &str| DeviceInfo { name: name.into(), ..device(index, 5) };
+        let devices = vec![
+            named(0, "NVIDIA GeForce RTX 4090"),
+            named(1, "NVIDIA GeForce RTX 3090"),
+            named(2, "llvmpipe (LLVM 19.1.7)"),
+        ];
+        let chosen = |wanted| choose(devices.clone(), Some(wanted)).map(|info| info.index);
+        let wanted = ["1", "3090", "rtx 40", "LLVM"];
+        assert_eq!(wanted.map(|wanted| chosen(wanted).unwrap()), [1, 1, 0, 2]);
+        assert!(matches!(chosen("7"), Err(TraceError::Unsupported(_))), "neither a number nor a part of a name");
     }
 }

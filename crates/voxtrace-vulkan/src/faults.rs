@@ -21,6 +21,8 @@ pub enum Fault {
     SurfaceLost,
     /// The window changed, and its images do not suit any more.
     OutOfDate,
+    /// What was submitted does not end, however long one waits, until the device is opened anew.
+    Hang,
 }
 
 impl Fault {
@@ -34,6 +36,7 @@ impl Fault {
             Self::OutOfHostMemory => vk::Result::ERROR_OUT_OF_HOST_MEMORY,
             Self::SurfaceLost => vk::Result::ERROR_SURFACE_LOST_KHR,
             Self::OutOfDate => vk::Result::ERROR_OUT_OF_DATE_KHR,
+            Self::Hang => vk::Result::TIMEOUT,
         }
     }
 
@@ -54,6 +57,7 @@ impl Fault {
             Self::SurfaceLost => OF_WINDOWS.contains(&function),
             Self::OutOfDate => OF_WINDOWS[1..].contains(&function),
             Self::OutOfDeviceMemory | Self::OutOfHostMemory => true,
+            Self::Hang => function == "vkWaitSemaphores",
         }
     }
 }
@@ -79,6 +83,7 @@ struct State {
     calls: Vec<&'static str>,
     fired: Vec<(&'static str, Fault)>,
     is_lost: bool,
+    hangs: bool,
     dispatches: u64,
 }
 
@@ -167,7 +172,7 @@ impl Faults {
         }
         // A new device is a healthy one.
         if function == "vkCreateDevice" {
-            state.is_lost = false;
+            (state.is_lost, state.hangs) = (false, false);
         }
         let planted = state.planted.iter().position(|(planted, _)| *planted == function);
         let planned = match planted {
@@ -177,7 +182,11 @@ impl Faults {
         if let Some((_, fault)) = planned {
             state.fired.push((function, fault));
             state.is_lost |= fault == Fault::DeviceLost && function != "vkCreateDevice";
+            state.hangs |= fault == Fault::Hang;
             return Some(fault);
+        }
+        if state.hangs && Fault::Hang.is_legal(function) {
+            return Some(Fault::Hang);
         }
         (state.is_lost && Fault::DeviceLost.is_legal(function)).then_some(Fault::DeviceLost)
     }
@@ -221,7 +230,7 @@ macro_rules! stand_ins {
             // Work that is under way when a device is lost must end before its memory is freed.
             let must_call =
                 matches!($function, "vkDeviceWaitIdle" | "vkWaitSemaphores" | "vkWaitForFences" | "vkQueueWaitIdle");
-            if let Some(fault) = fault && !must_call {
+            if let Some(fault) = fault && (!must_call || fault == Fault::Hang) {
                 return fault.result();
             }
             // SAFETY: `stand_in` stored the address of the function of this name, whose type the specification gives.

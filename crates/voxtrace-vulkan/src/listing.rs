@@ -20,13 +20,21 @@ pub fn devices(options: Options) -> Result<Vec<DeviceInfo>, TraceError> {
 /// All devices of an instance.
 pub(crate) fn list(vulkan: &Vulkan) -> Result<Vec<DeviceInfo>, TraceError> {
     // SAFETY: the instance is alive.
-    let physical = unsafe { vulkan.instance.enumerate_physical_devices() }.context("listing the devices")?;
-    physical.into_iter().enumerate().map(|(index, physical)| describe(vulkan, index, physical)).collect()
+    let physical = unsafe { vulkan.instance.enumerate_physical_devices() }.map_err(|error| TraceError::Device {
+        step: "listing the devices".into(),
+        // One driver that fails is enough for some loaders.
+        reason: format!("{error}; with VK_LOADER_DEBUG=error in the environment Vulkan's loader says which driver"),
+    })?;
+    Ok(physical.into_iter().enumerate().map(|(index, physical)| describe(vulkan, index, physical)).collect())
 }
 
-fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Result<DeviceInfo, TraceError> {
+/// A device, also where its driver fails when it is asked: others may do.
+fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> DeviceInfo {
     let instance = &vulkan.instance;
-    let extensions = Extensions::of(instance, physical)?;
+    let (extensions, failure) = match Extensions::of(instance, physical) {
+        Ok(extensions) => (extensions, None),
+        Err(error) => (Extensions::default(), Some(error.to_string())),
+    };
     let properties = Properties::of(instance, physical, &extensions);
     let base = properties.base;
     let features = Features {
@@ -40,10 +48,11 @@ fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Resu
     let family = families.iter().position(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE));
     let own_family = family.map(|family| families[family]).unwrap_or_default();
     let timestamp_bits = own_family.timestamp_valid_bits;
-    let [walk_missing, query_missing, pipeline_missing] = missing(base.api_version, family.is_some(), &features);
+    let missing = missing(base.api_version, family.is_some(), &features);
+    let [walk_missing, query_missing, pipeline_missing] = missing.map(|lacks| failure.clone().or(lacks));
     let heaps = &memory.memory_heaps[..memory.memory_heap_count as usize];
     let own = heaps.iter().filter(|heap| heap.flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL));
-    Ok(DeviceInfo {
+    DeviceInfo {
         index,
         name: base.device_name_as_c_str().map(text).unwrap_or_default(),
         kind: match base.device_type {
@@ -71,12 +80,13 @@ fn describe(vulkan: &Vulkan, index: usize, physical: vk::PhysicalDevice) -> Resu
         query_missing,
         pipeline_missing,
         physical,
+        uuid: properties.uuid,
         queue_family: family.unwrap_or(0) as u32,
         queue_count: own_family.queue_count,
         has_graphics: own_family.queue_flags.contains(vk::QueueFlags::GRAPHICS),
         scalar_layout: features.scalar_layout,
         extensions: extensions.names,
-    })
+    }
 }
 
 fn text(bytes: &CStr) -> String {
@@ -84,6 +94,7 @@ fn text(bytes: &CStr) -> String {
 }
 
 /// The extensions that a driver offers.
+#[derive(Default)]
 struct Extensions {
     names: Vec<String>,
     has_acceleration: bool,
@@ -113,6 +124,7 @@ struct Properties {
     base: vk::PhysicalDeviceProperties,
     /// Name and version.
     driver: String,
+    uuid: [u8; vk::UUID_SIZE],
     /// Limits, the clock's left out.
     limits: Limits,
     ray_tracing: RayTracing,
@@ -125,7 +137,9 @@ impl Properties {
         let mut maintenance = vk::PhysicalDeviceMaintenance3Properties::default();
         let mut accel = vk::PhysicalDeviceAccelerationStructurePropertiesKHR::default();
         let mut pipeline = vk::PhysicalDeviceRayTracingPipelinePropertiesKHR::default();
+        let mut ids = vk::PhysicalDeviceIDProperties::default();
         let mut properties = vk::PhysicalDeviceProperties2::default()
+            .push_next(&mut ids)
             .push_next(&mut driver)
             .push_next(&mut subgroup)
             .push_next(&mut maintenance);
@@ -143,6 +157,7 @@ impl Properties {
         let name = driver.driver_name_as_c_str().map(text).unwrap_or_default();
         Self {
             base,
+            uuid: ids.device_uuid,
             driver: format!("{name} {info}").trim().to_owned(),
             limits: Limits {
                 max_storage_buffer_range: base.limits.max_storage_buffer_range.into(),

@@ -165,6 +165,9 @@ impl Passes {
 
 impl Drop for Passes {
     fn drop(&mut self) {
+        if self.device.hung().is_some() {
+            return;
+        }
         for program in self.programs.values() {
             if let Program::Compute(pipeline) = program {
                 // SAFETY: the submitter, dropped before, waited for everything.

@@ -143,6 +143,9 @@ fn table(
 
 impl Drop for RayProgram {
     fn drop(&mut self) {
+        if self.device.hung().is_some() {
+            return;
+        }
         // SAFETY: the submitter, dropped before, waited for everything.
         unsafe { self.device.raw.destroy_pipeline(self.pipeline, None) };
     }

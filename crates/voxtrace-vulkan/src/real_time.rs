@@ -125,6 +125,7 @@ impl RealTime {
         let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;
         let size = size_of::<RealTimeParams>() as u64;
         let params = Buffer::new(device, "real-time parameters", size, usage, MemoryLocation::CpuToGpu)?;
+        let left = Left::new(device)?;
         let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(MOST_STEPS + 1);
         // SAFETY: the device is alive; `drop` destroys it.
         let queries = unsafe { device.raw.create_query_pool(&info, None) }.context("creating timestamps")?;
@@ -138,7 +139,7 @@ impl RealTime {
             motions: None,
             in_waves: false,
             queries,
-            left: Left::new(device)?,
+            left,
             instances: None,
             is_new: true,
         })
@@ -353,8 +354,10 @@ impl RealTime {
 
 impl Drop for RealTime {
     fn drop(&mut self) {
-        // SAFETY: whoever drops it has waited for the work that uses it.
-        unsafe { self.device.raw.destroy_query_pool(self.queries, None) };
+        if self.device.hung().is_none() {
+            // SAFETY: whoever drops it has waited for the work that uses it.
+            unsafe { self.device.raw.destroy_query_pool(self.queries, None) };
+        }
     }
 }
 

@@ -178,6 +178,15 @@ impl VulkanTracer {
         }
     }
 
+    /// Pages of the scene that the next round of tracing would seem to use, for tests.
+    #[cfg(feature = "faults")]
+    pub fn marked_pages(&mut self) -> Result<usize, TraceError> {
+        match &mut self.backend {
+            Backend::Device(worker) => worker.marked_pages(),
+            _ => Ok(0),
+        }
+    }
+
     /// Bytes of pages of the scene that were uploaded since it was set, and how often some were, `None` where it lies on the device whole.
     pub fn paged(&self) -> Option<(u64, u64)> {
         match &self.backend {
@@ -234,7 +243,9 @@ impl VulkanTracer {
         // Frees what is left of the lost device first.
         self.backend = Backend::None;
         let now = Instant::now();
-        let is_second = self.last_loss.is_some_and(|last| now.duration_since(last) < BETWEEN_LOSSES);
+        // Waiting for work that does not end is no time in which it went well.
+        let between = BETWEEN_LOSSES + self.device.hung().unwrap_or_default();
+        let is_second = self.last_loss.is_some_and(|last| now.duration_since(last) < between);
         self.last_loss = Some(now);
         if !is_second {
             match self.reopen() {
@@ -293,15 +304,17 @@ impl VulkanTracer {
         }
         // A film of another frame is of no use after a loss.
         self.copy = self.copy.take().filter(|(last, _)| frame.continues(last));
-        self.keep_copy_of_last(frame)?;
-        let mut watch = Watch::new(progress);
-        let mut kept = samples_of(&self.copy);
-        let at_start = kept;
+        let last = self.rendered.as_ref().filter(|last| frame.continues(last));
+        let rendered = last.map_or(0, |last| u64::from(last.samples) * frame.region.pixels() as u64);
+        let mut watch = Watch::new(progress, rendered.max(samples_of(&self.copy)));
+        if self.keep_copy_of_last(frame)? {
+            watch.go_back_to(samples_of(&self.copy));
+        }
         loop {
             let until = Instant::now() + BETWEEN_COPIES;
             let finished = match &mut self.backend {
                 Backend::Device(worker) => worker.render(frame, &mut watch, until, canvas),
-                Backend::Cpu(cpu) => cpu.render(frame, progress).map(|()| true),
+                Backend::Cpu(cpu) => watch.follow(|progress| cpu.render(frame, progress)).map(|()| true),
                 Backend::None => Err(TraceError::NoScene),
             };
             let kept_or_lost = match finished {
@@ -322,11 +335,10 @@ impl VulkanTracer {
                     self.rendered = Some(frame.clone().samples(samples));
                     return Ok(());
                 }
-                Ok(false) => kept = samples_of(&self.copy),
+                Ok(false) => {}
                 Err(TraceError::DeviceLost { last_pass }) => {
                     // What is not in the copy is rendered again.
-                    let lost = watch.done().saturating_sub(kept.saturating_sub(at_start));
-                    watch.forget(lost);
+                    watch.go_back_to(samples_of(&self.copy));
                     self.recover(&last_pass)?;
                 }
                 Err(error) => return Err(error),
@@ -347,22 +359,24 @@ impl VulkanTracer {
         Ok(())
     }
 
-    /// Copies a film that is made in many short calls to the host, when that is due.
-    fn keep_copy_of_last(&mut self, frame: &Frame) -> Result<(), TraceError> {
+    /// Copies a film that is made in many short calls to the host, when that is due. Returns whether the film is that of the copy, also as its device was lost.
+    fn keep_copy_of_last(&mut self, frame: &Frame) -> Result<bool, TraceError> {
+        let mut is_copied = false;
         match self.rendered.take().filter(|last| frame.continues(last)) {
             // A film begins.
             None => self.copied = Instant::now(),
             Some(last) => {
                 if self.copied.elapsed() >= BETWEEN_COPIES && matches!(self.backend, Backend::Device(_)) {
                     match self.keep_copy(&last) {
-                        Err(TraceError::DeviceLost { last_pass }) => return self.recover(&last_pass),
+                        Err(TraceError::DeviceLost { last_pass }) => return self.recover(&last_pass).map(|()| true),
                         result => result?,
                     }
+                    is_copied = true;
                 }
                 self.rendered = Some(last);
             }
         }
-        Ok(())
+        Ok(is_copied)
     }
 }
 

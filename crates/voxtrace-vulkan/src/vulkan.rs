@@ -153,7 +153,9 @@ impl Vulkan {
             vk::Result::ERROR_EXTENSION_NOT_PRESENT if !options.surface_extensions.is_empty() => {
                 TraceError::Unsupported("this machine's Vulkan cannot show pictures in windows".into())
             }
-            error => TraceError::Unsupported(format!("Vulkan cannot be started: {error}")),
+            error => TraceError::Unsupported(format!(
+                "Vulkan cannot be started: {error}; with VK_LOADER_DEBUG=error in the environment its loader says why"
+            )),
         })?;
         #[cfg(feature = "faults")]
         let instance = match &options.faults {

@@ -293,7 +293,7 @@ impl Worker {
         };
         film.frame = frame.clone();
         // A long call comes here in pieces, which are counted together.
-        if progress.done() == 0 {
+        if !progress.is_begun() {
             self.statistics = Statistics::default();
         }
         let result = self.render_film(&mut film, frame, progress, until, canvas);
@@ -360,6 +360,13 @@ impl Worker {
     pub fn empty_pages(&mut self, count: usize) {
         let pages = self.scene.as_mut().and_then(|buffers| buffers.pages.as_mut());
         pages.into_iter().for_each(|pages| pages.emptied = count);
+    }
+
+    /// Pages of the scene that are marked, for tests.
+    #[cfg(feature = "faults")]
+    pub fn marked_pages(&mut self) -> Result<usize, TraceError> {
+        let pages = self.scene.as_ref().and_then(|buffers| buffers.pages.as_ref());
+        pages.map_or(Ok(0), |pages| pages.marked(&mut self.submitter, &mut self.transfer))
     }
 
     /// Whether scenes that do not fit lie there in pages.

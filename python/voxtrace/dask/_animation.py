@@ -12,7 +12,7 @@ from typing import Any
 import numpy
 
 from .._voxtrace import Camera, Scene
-from ._sharing import Packed, address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes
+from ._sharing import Packed, address_of_worker, elsewhere, gathered, packed_scene, renderer_of, sent_bytes, write_whole
 
 
 def animate(
@@ -72,13 +72,6 @@ def _numbered(output: Path, number: int) -> Path:
     if count != 1:
         raise ValueError(f"{output}: write #### where the number of the frame goes")
     return output.with_name(name)
-
-
-def write_whole(path: Path, content: bytes) -> None:
-    """Writes a file that is there whole or not at all."""
-    part = path.with_name(f".{path.name}.{os.getpid()}")
-    part.write_bytes(content)
-    part.replace(path)
 
 
 def picture_file(image: Any, suffix: str, look: dict[str, Any]) -> bytes:

@@ -9,6 +9,7 @@ import statistics
 import tempfile
 import threading
 import time
+import uuid
 import warnings
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -201,6 +202,17 @@ def made_by_one(client: Any, work: Callable[..., Any], common: Any, survey: byte
     return made
 
 
+def write_whole(path: Path, content: bytes) -> None:
+    """Writes a file that is there whole or not at all. Processes of several machines may write it at once, and their numbers may be the same."""
+    part = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
+    try:
+        part.write_bytes(content)
+        part.replace(path)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
 def removed(place: Path, made: list[Path]) -> None:
     """Removes what was made on the way, what workers that were killed have left too, and nothing else."""
     for file in made:
@@ -253,14 +265,12 @@ def _unpacked(data: bytes, key: str) -> Scene:
     folder = Path(tempfile.gettempdir()) / f"voxtrace-{os.getuid() if hasattr(os, 'getuid') else 0}"
     folder.mkdir(mode=0o700, exist_ok=True)
     path = folder / f"{key}.vxt"
-    try:
-        # It is wanted now.
+    with contextlib.suppress(FileNotFoundError):
+        # It is wanted now. Another process that has just found it too old may remove it all the same.
         os.utime(path)
-    except FileNotFoundError:
-        _forget_old(folder)
-        part = path.with_suffix(f".{os.getpid()}")
-        part.write_bytes(data)
-        part.replace(path)
+        return _voxtrace.open(path)
+    _forget_old(folder)
+    write_whole(path, data)
     return _voxtrace.open(path)
 
 

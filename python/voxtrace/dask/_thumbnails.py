@@ -10,8 +10,8 @@ from typing import Any
 
 from .. import _voxtrace
 from .._voxtrace import Renderer
-from ._animation import picture_file, write_whole
-from ._sharing import address_of_worker, elsewhere, gathered
+from ._animation import picture_file
+from ._sharing import address_of_worker, elsewhere, gathered, write_whole
 
 
 @dataclass(frozen=True)

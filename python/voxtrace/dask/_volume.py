@@ -12,10 +12,9 @@ from typing import Any
 import numpy
 from distributed.protocol import pickle as _pickle
 
-from .._volumes import place_of
+from .._volumes import place_of, samples_of
 from .._voxtrace import TiledVolume, TransferFunction, VoxtraceError
-from ._animation import write_whole
-from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts, write_whole
 
 #: It has no types.
 pickle: Any = _pickle
@@ -140,13 +139,16 @@ def _stamp(array: Any, options: dict[str, Any]) -> str:
     from dask.base import tokenize
 
     token: Any = tokenize
-    said = {**options, "transfer": repr(options["transfer"]), "memory": None}
+    transfer = options["transfer"]
+    # With its colours, which its name and range do not tell.
+    look = transfer.__reduce__()[1:] if isinstance(transfer, TransferFunction) else transfer
+    said = {**options, "transfer": look, "memory": None}
     return hashlib.sha256(repr((token(array), tuple(array.shape), str(array.dtype), said)).encode()).hexdigest()[:16]
 
 
 def _tiled(array: Any, stamp: str, options: dict[str, Any]) -> TiledVolume:
     kind = _KINDS.get(numpy.dtype(array.dtype).name, "f32")
-    return TiledVolume(partial(_read, array, kind), tuple(array.shape), kind, _depth(array), stamp, **options)
+    return TiledVolume(partial(_read, array, kind, options["labels"]), tuple(array.shape), kind, _depth(array), stamp, **options)
 
 
 def _depth(array: Any) -> int:
@@ -158,13 +160,15 @@ def _depth(array: Any) -> int:
     return int(along if isinstance(along, int) else max(along))
 
 
-def _read(array: Any, kind: str, first: int, end: int, low: int, high: int) -> Any:
+def _read(array: Any, kind: str, labels: bool, first: int, end: int, low: int, high: int) -> Any:
     """The samples of some layers of some rows, as the voxelizer has them: C-contiguous, of shape (layers, rows, X)."""
     part = array[:, low:high, first:end]
     if hasattr(part, "compute"):
         # Here, not by other workers: they wait for this one's part.
         part = part.compute(scheduler="threads")
-    values: Any = numpy.asarray(part)
+    if kind != "f32" and not labels and numpy.ma.is_masked(part):
+        raise ValueError("whole numbers that are masked have no number for what is not there: pass the array as float32")
+    values: Any = samples_of(part, labels)
     if kind == "u8":
         values = values.astype(numpy.uint8, copy=False)
     elif kind in {"i8", "i16"}:

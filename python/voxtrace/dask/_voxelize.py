@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .._voxtrace import TiledCloud, TiledMesh, VoxtraceError, join_mesh_surveys, join_surveys
-from ._animation import write_whole
-from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts
+from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts, write_whole
 
 #: Memory of a worker that points or triangles and their sorting take, in bytes.
 MEMORY = 512 << 20

@@ -168,7 +168,8 @@ impl Counters {
 /// Seconds for which the threads had no processor between two readings. What a thread waited that ended between them is not known.
 fn waited_between(before: &HashMap<String, f64>, after: &HashMap<String, f64>) -> f64 {
     // A number may be that of another thread by now, which began with nothing.
-    let since = |(thread, &now): (&String, &f64)| now - before.get(thread).copied().filter(|&then| then <= now).unwrap_or(0.0);
+    let since =
+        |(thread, &now): (&String, &f64)| now - before.get(thread).copied().filter(|&then| then <= now).unwrap_or(0.0);
     after.iter().map(since).sum()
 }
 
@@ -279,7 +280,8 @@ mod tests {
 
     #[test]
     fn threads_that_begin_and_end_take_no_waiting_away() {
-        let at = |threads: &[(&str, f64)]| threads.iter().map(|&(thread, waited)| (thread.to_owned(), waited)).collect();
+        let at =
+            |threads: &[(&str, f64)]| threads.iter().map(|&(thread, waited)| (thread.to_owned(), waited)).collect();
         let (before, after) = (at(&[("1", 3.0), ("2", 50.0), ("3", 7.0)]), at(&[("1", 3.5), ("3", 0.25), ("4", 1.0)]));
         assert_eq!(waited_between(&before, &after), 0.5 + 0.25 + 1.0);
     }

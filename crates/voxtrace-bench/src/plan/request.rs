@@ -87,6 +87,8 @@ pub struct Request {
     pub command: Option<String>,
     /// The commit that the program was built from, where it is known; for the report.
     pub commit: Option<String>,
+    /// What tells the host's options about scenes (how they are read, seen and lit) from others; a benchmark that goes on needs the same.
+    pub scene_options: Option<String>,
     /// Whether the driver is not probed: it says more about the driver than about the scene.
     pub skip_probes: bool,
 }
@@ -160,6 +162,7 @@ impl Request {
             integrator,
             seed: SEED,
             is_exact: self.precise,
+            scene_options: self.scene_options.clone(),
         }
     }
 

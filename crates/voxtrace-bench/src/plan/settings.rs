@@ -36,6 +36,8 @@ pub struct Plan {
     pub integrator: Integrator,
     pub seed: u32,
     pub is_exact: bool,
+    /// What tells the host's options about scenes from others; `None` for none.
+    pub scene_options: Option<String>,
 }
 
 impl Plan {
@@ -64,6 +66,7 @@ impl Plan {
             "width": self.width, "height": self.height, "frames": self.frames, "warm_up": self.warm_up,
             "time_limit_s": self.time_limit_s, "max_bounces": self.max_bounces, "integrator": self.integrator.name(),
             "seed": self.seed, "shaders": if self.is_exact { "precise" } else { "fast" },
+            "scene_options": self.scene_options,
         })
     }
 }

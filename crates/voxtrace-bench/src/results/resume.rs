@@ -101,7 +101,12 @@ fn differences(theirs: &Value, ours: &Value) -> Vec<String> {
     }
     let no_settings = serde_json::Map::new();
     for (name, value) in ours["settings"].as_object().unwrap_or(&no_settings) {
-        if theirs["settings"][name] != *value {
+        if theirs["settings"][name] == *value {
+            continue;
+        }
+        if name == "scene_options" {
+            differing.push("options that say how scenes are read, seen or lit".into());
+        } else {
             differing.push(format!("{name} ({}, now {value})", theirs["settings"][name]));
         }
     }

@@ -240,6 +240,7 @@ mod tests {
             integrator: Integrator::Essay,
             seed: 1,
             is_exact: false,
+            scene_options: None,
         };
         let facts = SceneFacts {
             name: "city".into(),

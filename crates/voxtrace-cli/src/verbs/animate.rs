@@ -51,7 +51,7 @@ impl AnimateArgs {
         let frames_of = |path: &PathBuf| !Clip::is_clip(path);
         let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =
             self.render.picture.output.drain(..).partition(frames_of);
-        self.clip.check(&clips)?;
+        self.clip.check(&clips, self.render.size_of_pictures())?;
         // Before frames are made; what the scene names is known later, and asked about before a clip is written.
         self.render.scene.note();
         clips.iter().try_for_each(|clip| outputs::check(clip))?;
@@ -65,7 +65,11 @@ impl AnimateArgs {
             // Frames on their way to a clip are only made once.
             self.render.files.skip_existing |= frames.len() == 1;
             report.leave_unnamed(folder.to_owned());
-            clip.make_folder(&settings, Path::new(self.render.scene.scene()), report)?;
+            let made = clip.make_folder(&settings, Path::new(self.render.scene.scene()), report);
+            if made.is_err() {
+                clip.drop_empty_folder();
+            }
+            made?;
         }
         self.render.picture.output = frames;
         let asked = director.clip().map(str::to_owned);

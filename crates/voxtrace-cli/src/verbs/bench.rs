@@ -19,6 +19,8 @@ use crate::report::Report;
 use crate::session::trace_failure;
 use crate::verbs::convert::{Target, export_failure};
 use crate::views::PlaceArgs;
+use clap::{Args, FromArgMatches};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use voxtrace::import::{Content, ImportError, ImportErrorKind, ImportOptions, opened};
@@ -231,8 +233,25 @@ impl BenchArgs {
             probes: probes::cache(),
             command: self.command.clone().or_else(|| Some(typed())),
             commit: option_env!("VOXTRACE_COMMIT").map(str::to_owned),
+            scene_options: self.scene_options(),
             skip_probes: false,
         }
+    }
+
+    /// A hash of the options that say how scenes are read, seen and lit; `None` where none is given.
+    fn scene_options(&self) -> Option<String> {
+        let text = |args: &Self| {
+            let camera = args.camera_file.as_ref().map(std::fs::read);
+            format!("{:?}", (camera, &args.place, &args.light, &args.changes, &args.import))
+        };
+        let none = Self::augment_args(clap::Command::new("bench").no_binary_name(true)).try_get_matches_from([""; 0]);
+        let usual = none.and_then(|none| Self::from_arg_matches(&none)).map(|args| text(&args));
+        let own = text(self);
+        (usual.ok().as_ref() != Some(&own)).then(|| {
+            let mut hash = DefaultHasher::new();
+            own.hash(&mut hash);
+            format!("{:016x}", hash.finish())
+        })
     }
 }
 

@@ -68,7 +68,11 @@ impl CompareArgs {
             .map_err(|error| Failure::mismatch(error).hint("render both with the same --size and --crop"))?;
         if let Some(path) = &self.output {
             outputs::write(path, |out| difference.write_map(out))?;
-            report.wrote(path);
+            // What reads JSON expects nothing else on stdout.
+            match self.json {
+                true => report.wrote_silently(path),
+                false => report.wrote(path),
+            }
         }
         crate::stdout::print(&if self.json {
             format!("{:#}\n", self.as_json(&difference))
@@ -108,6 +112,7 @@ impl CompareArgs {
                 "max": difference.max_flip(),
                 "pixels_per_degree": PIXELS_PER_DEGREE,
             },
+            "map": self.output.as_ref().map(|path| path.display().to_string()),
         })
     }
 }

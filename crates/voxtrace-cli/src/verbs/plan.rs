@@ -8,6 +8,7 @@ use crate::words::{Word, split};
 use crate::{Cli, stdout};
 use clap::{Args, Command, CommandFactory};
 use serde_json::{Value, json};
+use voxtrace_bench::quantity::counted;
 
 /// Share a picture among machines: one command for each part, as lines of JSON, and one that merges their films
 ///
@@ -35,7 +36,7 @@ impl PlanArgs {
         let words = split(&words, verb);
         let parts = self.parts.min(shared.samples);
         if parts < self.parts {
-            report.warn(&format!("{parts} parts: there are no more samples of a pixel"));
+            report.warn(&format!("{}: there are no more samples of a pixel", counted(parts.into(), "part")));
         }
         let digits = (parts - 1).to_string().len();
         let bound = |part: u32| (u64::from(shared.samples) * u64::from(part) / u64::from(parts)) as u32;

@@ -127,7 +127,7 @@ struct FilmArgs {
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
     /// Time between two checkpoints
-    #[arg(long, value_name = "TIME", default_value = "60s", value_parser = parse::duration)]
+    #[arg(long, value_name = "TIME", default_value = "60s", value_parser = parse::duration, requires = "checkpoint")]
     checkpoint_every: Duration,
     /// Continue a film with its settings, where no option says otherwise; of a turntable or flight the films of its frames, as --checkpoint names them
     #[arg(long, value_name = "FILE")]
@@ -237,10 +237,17 @@ impl RenderArgs {
 
     /// Everything that says what the pictures are like, as text: where it is the same, so are they.
     pub(super) fn settings(&self) -> String {
-        let Self { scene, view, light, surroundings, lines, cuts, changes, quality, picture, .. } = self;
+        let Self { scene, view, light, surroundings, lines, cuts, changes, quality, picture, tracer, film, .. } = self;
         let view = ViewArgs { frames: None, ..view.clone() };
         let picture = (picture.exposure, picture.tone_map, &picture.bit_depth);
-        format!("{:?}", (scene, view, light, surroundings, lines, cuts, changes, quality, picture))
+        let rest = (film.first_sample, &film.resume, tracer.changes_of_pictures());
+        format!("{:?}", (scene, view, light, surroundings, lines, cuts, changes, quality, picture, rest))
+    }
+
+    /// Width and height of the pictures, as far as options say them.
+    pub(super) fn size_of_pictures(&self) -> Option<Size> {
+        let whole = self.quality.size.or_else(|| self.film.resume.is_none().then_some(DEFAULT_SIZE));
+        self.quality.crop.map(|crop| (crop.width(), crop.height())).or(whole)
     }
 
     /// Whether films have no sky: a background comes behind them when pictures are made.

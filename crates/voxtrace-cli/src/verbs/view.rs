@@ -13,6 +13,7 @@ use crate::parse;
 use crate::report::{Report, Said};
 use crate::session::trace_failure;
 use crate::tracer::TraversalArg;
+use std::ffi::OsString;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::import::{Data, Kind, READERS};
@@ -63,7 +64,7 @@ impl ViewerArgs {
         }
         self.cuts.check()?;
         let cutting = self.cuts.take_cutting();
-        let words: Vec<String> = std::env::args().skip_while(|word| word != "view").skip(1).collect();
+        let words = words_of_view(std::env::args_os())?;
         let options = WindowOptions {
             scene: self.scenes.first().cloned(),
             traversal: self.traversal.map(Into::into),
@@ -197,6 +198,15 @@ impl Line {
 
 fn say(line: &str) {
     crate::stdout::print(&format!("{line}\n"));
+}
+
+/// The words behind the verb. The window says them again in commands that it copies and runs, which are text.
+fn words_of_view(words: impl Iterator<Item = OsString>) -> Result<Vec<String>, Failure> {
+    let text = |word: OsString| {
+        let refused = |word: OsString| Failure::usage(format!("{} is no UTF-8", word.display()));
+        word.into_string().map_err(|word| refused(word).hint("rename it: the window names files in text"))
+    };
+    words.skip_while(|word| word != "view").skip(1).map(text).collect()
 }
 
 /// The words of a command that say how a scene is read: all but the scene itself and what says how it is shown.

@@ -104,6 +104,11 @@ fn a_clip_that_was_broken_off_goes_on_with_its_frames_and_others_are_made_anew()
     folder.succeed(&["render", "room.vox", "--size", "24x32", "--spp", "1", "-o", "clip.gif.frames/0003.png"]);
     let told = folder.fail(&[&["animate", "turn.toml", "-o", "clip.gif"], &SMALL[..]].concat(), 4);
     assert!(told.contains("0003.png: 24 x 32 pixels, and the first frame has 32 x 24"), "{told}");
+    // Other samples are another picture, and so is what another device rounds.
+    for options in [&["--first-sample", "3", "--keep-frames"][..], &["--fast", "--keep-frames"]] {
+        let (_, said) = clip(options);
+        assert!(said.contains("6 frames of other settings"), "{options:?}: {said}");
+    }
     let (other, said) = clip(&["--exposure", "1"]);
     assert!(other != whole && said.contains("6 frames of other settings"), "{said}");
     assert!(!folder.exists("clip.gif.frames"), "what nobody asked for is gone");
@@ -315,6 +320,13 @@ fn faults_of_an_animation_are_one_line_with_file_line_and_key() {
         assert!(told.contains(name) && told.contains("clip.mp4") && told.contains("shot_####.png"), "{told}");
     }
     assert!(folder.fail(&["render", "room.vox", "-o", "clip.mp4"], 2).contains("`voxtrace animate`"));
+    // Before the scene is read and frames are made.
+    for size in [&["--size", "14x40"][..], &["--size", "64x64", "--crop", "0,40,8,20"]] {
+        let small =
+            [&["animate", "none.vox", "--turntable=2", "-o", "small.mp4", "--encoder", "builtin"], size].concat();
+        let told = folder.fail(&small, 2);
+        assert!(told.contains("small.mp4: the encoder within makes no pictures of less than 16x16"), "{told}");
+    }
 }
 
 #[test]

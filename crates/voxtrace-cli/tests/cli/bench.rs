@@ -218,7 +218,7 @@ fn a_killed_benchmark_goes_on_with_the_cells_that_are_missing() {
         "--warm-up",
         "1",
         "--time-limit",
-        "3s",
+        "10s",
         "-o",
         "report",
     ];
@@ -285,6 +285,12 @@ fn a_finished_benchmark_is_not_measured_again_and_damage_is_noticed() {
     let more = ["--cells", "cpu", "--resume", "--threads", &other];
     let refused = folder.fail(&[&["bench", "room.vxt"], &SMALL[..], &more].concat(), 5);
     assert!(refused.contains(&format!("threads ({threads}, now {other}) differ")), "{refused}");
+    // So is a benchmark of another view, or in other light, although nothing is left to measure.
+    for option in [["--eye", "1,2,30"], ["--sun", "10,20"], ["--hide", "0"]] {
+        let more = [&["--cells", "cpu", "--resume"], &option[..]].concat();
+        let refused = folder.fail(&[&["bench", "room.vxt"], &SMALL[..], &more].concat(), 5);
+        assert!(refused.contains("another benchmark: options that say how scenes are read, seen or lit"), "{refused}");
+    }
     // Planted: a line of the CSV is gone.
     let text = String::from_utf8(csv).unwrap();
     std::fs::write(folder.path("report/1-room-cpu.csv"), text.lines().take(5).collect::<Vec<_>>().join("\n")).unwrap();

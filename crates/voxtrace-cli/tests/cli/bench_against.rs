@@ -23,7 +23,7 @@ fn is_of_its_files(folder: &Folder, json: &Value) {
 }
 
 /// Benchmarks of which one has to have such a ratio: what meets one program and not the other, on a machine that is never quiet, does not do so each time.
-const ATTEMPTS: usize = 3;
+const ATTEMPTS: usize = 10;
 
 #[test]
 fn a_program_against_itself_has_the_times_of_its_files_and_says_of_each_round_how_quiet_it_was() {

@@ -59,6 +59,8 @@ fn the_map_shows_where_one_changed_pixel_is() {
     std::fs::write(folder.path("b.png"), bytes).unwrap();
 
     assert!(folder.succeed(&["compare", "a.png", "b.png", "-o", "map.png"]).starts_with("map.png\n"));
+    assert_eq!(folder.compared("a.png", "b.png", &["-o", "map.png"])["map"], "map.png");
+    assert_eq!(folder.compared("a.png", "b.png", &[])["map"], Value::Null);
     let map = folder.png("map.png");
     let light = |index: usize| map.samples[3 * index..3 * index + 3].iter().sum::<u16>();
     let brightest = (0..40 * 30).max_by_key(|&index| light(index)).unwrap();

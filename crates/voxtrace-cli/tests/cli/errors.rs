@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 64] = [
+    let cases: [(&[&str], &str); 65] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -58,6 +58,7 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "--turntable", "--frames", "4..1"], "1..240"),
         (&["render", "room.vox", "--flight", "a.toml", "--turntable"], "cannot be used with"),
         (&["render", "room.vox", "--time-limit", "soon"], "duration"),
+        (&["render", "room.vox", "--checkpoint-every", "9s"], "not provided: --checkpoint <FILE>"),
         (&["render", "room.vox", "--exposure", "inf"], "finite"),
         (&["render", "room.vox", "--voxels", "1000"], "built-in scenes"),
         (&["render", "church", "--voxels", "3"], "cannot build a scene of 3 voxels"),

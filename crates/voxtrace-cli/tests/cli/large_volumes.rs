@@ -3,9 +3,8 @@
 #![cfg(unix)]
 
 use crate::common::{Folder, stderr};
-use crate::interrupt::signal;
+use crate::interrupt::interrupted;
 use std::io::{Seek, SeekFrom, Write};
-use std::process::Stdio;
 
 /// A file of `layers` layers of 1,024 × 1,024 bytes, all 0 but for a block in every eighth one. Most of it is a hole that takes no disk.
 fn write_sparse(folder: &Folder, layers: u64) {
@@ -29,15 +28,15 @@ fn arguments_of(shape: &'static str, budget: &'static str, out: &'static str) ->
     ["voxelize", "large.raw", "--raw-shape", shape, "-o", out, "--memory-budget", budget, "--transfer=mri"]
 }
 
-/// The most memory that a process had, in bytes, once it has ended well.
+/// The most memory that a process was seen to have, in bytes, once it has ended well; nothing where the system does not tell.
 #[cfg(target_os = "linux")]
-fn peak(mut child: std::process::Child) -> u64 {
-    let mut most = 0;
+fn peak(mut child: std::process::Child) -> Option<u64> {
+    let mut most: Option<u64> = None;
     loop {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
         let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
         let kilobytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());
-        most = most.max(kilobytes.unwrap_or(0) * 1024);
+        most = most.max(kilobytes.map(|kilobytes| kilobytes * 1024));
         if let Some(status) = child.try_wait().unwrap() {
             assert!(status.success());
             return most;
@@ -49,14 +48,26 @@ fn peak(mut child: std::process::Child) -> u64 {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_volume_beyond_its_budget_takes_little_memory_and_becomes_the_scene_of_the_same_volume_in_memory() {
+    if !std::fs::read_to_string("/proc/self/status").is_ok_and(|status| status.contains("VmHWM")) {
+        return voxtrace_test_support::skip("this system does not tell the memory of a process");
+    }
     let folder = Folder::new();
     write_sparse(&folder, 128);
     let started = |budget, out| {
         let mut command = folder.command(&arguments(budget, out));
-        peak(command.stderr(Stdio::null()).stdout(Stdio::null()).spawn().unwrap())
+        let quiet = std::process::Stdio::null;
+        peak(command.stderr(quiet()).stdout(quiet()).spawn().unwrap())
     };
     // 134 million samples take 537 MB as numbers.
-    let (small, large) = (started("64MB", "small.vxt"), started("64GB", "large.vxt"));
+    let (small, mut large) = (started("64MB", "small.vxt"), started("64GB", "large.vxt"));
+    // What this thread sees of a process while others have the processors may be its beginning.
+    for _ in 0..20 {
+        if large.is_none_or(|large| large <= 500_000_000) {
+            std::fs::remove_file(folder.path("large.vxt")).unwrap();
+            large = large.max(started("64GB", "large.vxt"));
+        }
+    }
+    let (small, large) = (small.unwrap(), large.unwrap());
     assert!(small < 200_000_000 && large > 500_000_000, "{small} and {large} bytes");
     let info = |name: &str| folder.succeed(&["info", name]).replace(name, "");
     assert_eq!(info("small.vxt"), info("large.vxt"));
@@ -76,15 +87,7 @@ fn voxelizing_a_volume_that_is_interrupted_or_killed_goes_on_and_ends_with_the_s
     let arguments = |out| arguments_of("1024x1024x1024:u8", "64MB", out);
     folder.succeed(&arguments("whole.vxt"));
     for name in ["-KILL", "-INT", "-TERM"] {
-        let mut command = folder.command(&arguments("a.vxt"));
-        let mut child = command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
-        let size = || std::fs::metadata(folder.path("a.vxt.part")).map_or(0, |metadata| metadata.len());
-        while size() < 20_000 {
-            assert!(child.try_wait().unwrap().is_none(), "it ended before it was interrupted");
-            std::thread::yield_now();
-        }
-        signal(&child, name);
-        let output = child.wait_with_output().unwrap();
+        let output = interrupted(&folder, &arguments("a.vxt"), ("a.vxt.part", 20_000), "a.vxt", name);
         assert_eq!(output.status.code(), if name == "-KILL" { None } else { Some(130) }, "{}", stderr(&output));
         assert!(!folder.exists("a.vxt") && folder.exists("a.vxt.part"));
         // With another threshold it is other work.

@@ -1,6 +1,6 @@
 //! `plan`: commands whose films add up to the picture of one run.
 
-use crate::common::Folder;
+use crate::common::{Folder, stderr};
 use serde_json::Value;
 
 fn lines(text: &str) -> Vec<Value> {
@@ -55,4 +55,6 @@ fn what_cannot_be_made_in_parts_is_said() {
     }
     assert!(folder.fail(&["plan", "room.vox", "--parts", "3", "--turntable=8"], 2).contains("one picture"));
     assert_eq!(lines(&folder.succeed(&["plan", "room.vox", "--parts", "64", "--spp", "3"])).len(), 4, "three parts");
+    let one = stderr(&folder.run(&["plan", "room.vox", "--parts", "64", "--spp", "1"]));
+    assert!(one.contains("warning: 1 part: there are no more samples"), "{one}");
 }

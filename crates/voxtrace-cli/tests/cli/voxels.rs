@@ -39,6 +39,19 @@ fn a_build_is_rendered_converted_and_voxelized_directly() {
 }
 
 #[test]
+fn options_of_what_becomes_voxels_are_told_to_change_nothing_of_what_is_voxels() {
+    let folder = Folder::new();
+    let told = |options: &[&str]| stderr(&folder.run(&[&["info"], options].concat()));
+    for name in ["room.vox", "room.vxt"] {
+        let both = told(&[name, "--transfer", "ct-bone", "--resolution", "64"]);
+        let expected = format!("--resolution, --transfer change nothing: the voxels of {name} are taken as they are");
+        assert!(both.contains(&expected), "{both}");
+        assert!(told(&[name, "--fill"]).contains("warning: --fill changes nothing"));
+        assert_eq!(told(&[name, "--palette", "9", "--color-by", "auto"]), "");
+    }
+}
+
+#[test]
 fn blocks_have_as_many_voxels_as_asked_for_and_those_inside_where_a_cut_shows_them() {
     let folder = Folder::new();
     copy(&folder, &["second.schem"]);

@@ -1,7 +1,7 @@
 //! Edits in the real window: made by a hand, saved, rendered by the command line, and kept when the program is ended.
 
 use crate::common::{Folder, Picture};
-use crate::view::{Screen, View, has_device, validation};
+use crate::view::{A_WHILE, Screen, View, has_device, validation};
 use std::process::Command;
 use std::time::Duration;
 use voxtrace_test_support::{Need, skip_without};
@@ -47,7 +47,7 @@ fn edits_are_marked_asked_for_saved_rendered_to_the_bit_and_kept_when_the_progra
     view.wait("the mark again", |view| view.title().starts_with("• room"));
     // Closing asks; Esc stays.
     view.key("ctrl+q");
-    std::thread::sleep(Duration::from_millis(500));
+    std::thread::sleep(A_WHILE);
     assert!(view.program.0.try_wait().unwrap().is_none(), "it asks first");
     view.key("Escape");
     view.key("ctrl+s");

@@ -19,6 +19,8 @@ const TRUST_REACH: usize = 4;
 const GUESSED_TOLERANCE: f32 = 4.0;
 /// Added to albedos before they divide, so that black surfaces do not make noise of nothing.
 const LEAST_ALBEDO: f32 = 0.003;
+/// Least sum of an albedo's channels that says how much light falls on a surface.
+const LEAST_SUM: f32 = 0.1 * LEAST_ALBEDO;
 
 /// The mean radiance of each pixel of `film` without noise, linear, row by row. `features` are those of the film. Where
 /// [`Film::earlier`] says how the pixels stood after some of their samples, best half of them, the filter knows from the difference how noisy
@@ -57,7 +59,7 @@ pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
             return features.direct;
         }
         let light = noisy[index] + trust[index] * (smooth[index] - noisy[index]);
-        (direct[index] + light * divisor(albedo[index])).max(Vec3::ZERO)
+        (direct[index] + radiance_of(light, albedo[index])).max(Vec3::ZERO)
     };
     features.pixels.par_iter().enumerate().map(pixel).collect()
 }
@@ -74,15 +76,26 @@ pub fn trust(noisy: &[Vec3], smooth: &[Vec3], variance: &[f32], width: usize) ->
     steps.iter().zip(variance).map(|(step, variance)| (MOST_STEP * variance / step.max(1e-30)).min(1.0)).collect()
 }
 
-/// What the light that falls on surfaces is multiplied by to be radiance.
-pub fn divisor(albedo: Vec3) -> Vec3 {
-    albedo + LEAST_ALBEDO
+/// The light that falls on a surface of this albedo which sends back `radiance`. A channel that the surface hardly sends back says nothing
+/// about the light: there it is what all channels together say. Else the blue light of a red surface would be none, and that of others beside
+/// it would be darkened by it.
+fn light_on(radiance: Vec3, albedo: Vec3) -> Vec3 {
+    let grey = radiance.element_sum() / albedo.element_sum().max(LEAST_SUM);
+    (radiance + LEAST_ALBEDO * grey) / (albedo + LEAST_ALBEDO)
+}
+
+/// What [`light_on`] was made of.
+fn radiance_of(light: Vec3, albedo: Vec3) -> Vec3 {
+    let shown = light * (albedo + LEAST_ALBEDO);
+    // The sum over the channels has the grey light of each, too.
+    let grey = shown.element_sum() / (albedo.element_sum().max(LEAST_SUM) + 3.0 * LEAST_ALBEDO);
+    shown - LEAST_ALBEDO * grey
 }
 
 /// The light that falls on the surfaces that each pixel shows.
 pub fn light_of(pixels: &[Pixel], features: &Features) -> Vec<Vec3> {
     let light = |(pixel, features): (&Pixel, &FeaturePixel)| {
-        if features.coverage > 0.0 { (pixel.mean() - features.direct) / divisor(features.albedo) } else { Vec3::ZERO }
+        if features.coverage > 0.0 { light_on(pixel.mean() - features.direct, features.albedo) } else { Vec3::ZERO }
     };
     pixels.par_iter().zip(&features.pixels).map(light).collect()
 }

@@ -3,6 +3,7 @@
 //! they vary within the pixel (Rousselle, Manzi, Zwicker, "Robust Denoising using Feature and Color Information", PG 2013).
 
 use super::features::{FeaturePixel, Features};
+use glam::Vec3;
 use rayon::prelude::*;
 
 /// Square of the distance of mean normals at which pixels are no longer alike, for pixels that show one plane, and how much each
@@ -11,11 +12,14 @@ const NORMAL_TOLERANCE: [f32; 2] = [0.4, 1.0];
 /// Square of the distance of a place from the other's plane at which pixels are no longer alike, square voxels, and how much
 /// each unit of the variance of places adds to it.
 const PLACE_TOLERANCE: [f32; 2] = [6.0, 1.0];
+/// Length of the normals of black surfaces, which no other surface is like then: what they send back, nothing, says nothing about the light that
+/// falls on those beside them.
+const BLACK: f32 = 8.0;
 
 /// The features as the filter reads them, one plane a number.
 pub struct Surfaces {
     pub width: usize,
-    /// Mean normals.
+    /// Mean normals, of black surfaces longer.
     pub normal: [Vec<f32>; 3],
     /// Mean places.
     pub place: [Vec<f32>; 3],
@@ -30,10 +34,12 @@ pub struct Surfaces {
 impl Surfaces {
     pub fn new(features: &Features, width: usize) -> Self {
         let plane = |of: &(dyn Fn(&FeaturePixel) -> f32 + Sync)| features.pixels.par_iter().map(of).collect();
+        let normal =
+            |pixel: &FeaturePixel| if pixel.albedo == Vec3::ZERO { BLACK * pixel.normal } else { pixel.normal };
         let spread = |pixel: &FeaturePixel| (1.0 - pixel.normal.length_squared()).max(0.0);
         Self {
             width,
-            normal: [plane(&|p| p.normal.x), plane(&|p| p.normal.y), plane(&|p| p.normal.z)],
+            normal: [plane(&|p| normal(p).x), plane(&|p| normal(p).y), plane(&|p| normal(p).z)],
             place: [plane(&|p| p.position.x), plane(&|p| p.position.y), plane(&|p| p.position.z)],
             normal_scale: plane(&|p| 1.0 / (NORMAL_TOLERANCE[0] + NORMAL_TOLERANCE[1] * spread(p))),
             place_scale: plane(&|p| 1.0 / (PLACE_TOLERANCE[0] + PLACE_TOLERANCE[1] * p.roughness)),

@@ -102,6 +102,39 @@ fn light_does_not_cross_the_edge_of_a_surface() {
 }
 
 #[test]
+fn colors_darken_none_beside_them_that_send_back_what_they_do_not() {
+    // Reds and blues of palettes, one exact and one nearly so, in light of one strength.
+    for [red, blue] in [[Vec3::X, Vec3::Z], [Vec3::new(0.79, 0.013, 0.013), Vec3::new(0.013, 0.045, 0.72)]] {
+        let color = |x: u32, y: u32| if (x / 2 + y / 2).is_multiple_of(2) { red } else { blue };
+        let case = Case::new(0.5, |x, y| (2.0 * color(x, y), floor(x, y, color(x, y))));
+        let clean = denoise(&case.film, &case.features);
+        let ratio = clean.iter().sum::<Vec3>() / case.film.pixels.iter().map(Pixel::mean).sum::<Vec3>();
+        assert!((ratio.x - 1.0).abs() < 0.01 && (ratio.z - 1.0).abs() < 0.01, "{ratio}");
+        case.check(0.1).unwrap();
+    }
+}
+
+#[test]
+fn black_darkens_none_beside_it() {
+    // White and black stripes of three pixels, between them one of which the first half of its samples met white and the other black: what is
+    // known of its noise lets it and those around take whatever light there is beside them.
+    let white = |x: u32| match x % 8 {
+        0..=2 => 1.0,
+        4..=6 => 0.0,
+        _ => 0.5,
+    };
+    let mut case = Case::new(0.0, |x, y| (Vec3::splat(0.8 * white(x)), floor(x, y, Vec3::splat(0.8 * white(x)))));
+    for (index, pixel) in case.film.earlier.iter_mut().flatten().enumerate() {
+        if white(index as u32 % SIZE) == 0.5 {
+            pixel.radiance.iter_mut().for_each(|sum| *sum *= 2);
+        }
+    }
+    let clean = denoise(&case.film, &case.features);
+    let worst = clean.iter().zip(&case.truth).map(|(a, b)| (*a - *b).abs().max_element()).fold(0.0, f32::max);
+    assert!(worst < 1e-3, "{worst}");
+}
+
+#[test]
 fn where_surfaces_say_nothing_the_picture_stays_about_as_it_was() {
     // Every pixel is lit otherwise, as where voxels are smaller than pixels, and little of that is noise.
     let light = |x: u32, y: u32| Sampler { seed: 3, pixel: y * SIZE + x, sample: 0 }.independent(0)[0];

@@ -8,6 +8,7 @@ use super::reader::{Data, ImportOptions, Kind, LargeGeometry, LargeVolume, Reade
 use super::readers::Readers;
 use super::source::Source;
 use super::source::guard::guarded;
+use super::source::input::beyond;
 use super::{finish, load::Loaded};
 use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
@@ -231,7 +232,7 @@ impl<'t> Opened<'t, '_> {
         let options = ImportOptions { limits, ..self.options.clone() };
         let Some(mut source) = open(Source::open(path, &limits)?, &options)? else { return Ok(None) };
         if let Some(&size) = source.frame().size.iter().find(|&&size| size as u64 > LONGEST_AXIS) {
-            return Err(ImportError::limit(path, None, "samples along an axis", size as u64, LONGEST_AXIS));
+            return Err(beyond(path, None, "samples along an axis", size as u64, LONGEST_AXIS));
         }
         let samples = source.frame().size.iter().map(|&size| size as u64).fold(1, u64::saturating_mul);
         if samples.saturating_mul(size_of::<f32>() as u64) <= budget / 3 {

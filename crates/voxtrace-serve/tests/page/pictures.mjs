@@ -43,7 +43,7 @@ function show(frame, isWhole, name) {
   socket.onmessage({ data: Uint8Array.from([...head, ...new TextEncoder().encode(name)]).buffer });
 }
 async function until(what, isSo) {
-  for (const end = Date.now() + 10_000; !isSo(); ) {
+  for (const end = Date.now() + 120_000; !isSo(); ) {
     assert.ok(Date.now() < end, what);
     await new Promise((done) => setTimeout(done, 1));
   }

@@ -61,7 +61,7 @@ globalThis.XMLHttpRequest = class {
 const asks = element("asks");
 const question = () => element("question").text;
 async function until(what, isSo) {
-  for (const end = Date.now() + 10_000; !isSo(); ) {
+  for (const end = Date.now() + 120_000; !isSo(); ) {
     assert.ok(Date.now() < end, what);
     await new Promise((done) => setTimeout(done, 1));
   }

@@ -1,12 +1,24 @@
 //! What the server withstands.
 
-use crate::client::{KINDS, SECRET, connect, exchange, get, get_with, head, hostile};
-use crate::{Running, files_below};
+use crate::client::{Answer, KINDS, SECRET, connect, exchange, get, get_with, head, hostile};
+use crate::{Running, files_below, until};
 use std::io::{Read, Write};
 use std::time::{Duration, Instant};
 
 /// Hostile requests here; the example `load` sends ten thousand and more.
 const REQUESTS: usize = 900;
+
+/// Where clients may take a second only, one that is held up asks once more.
+fn patient(ask: impl Fn() -> Answer) -> Answer {
+    let mut answer = ask();
+    for _ in 0..20 {
+        if !matches!(answer.status, 0 | 408) {
+            break;
+        }
+        answer = ask();
+    }
+    answer
+}
 
 #[test]
 fn hostile_requests_get_nothing_and_leave_nothing() {
@@ -28,12 +40,13 @@ fn hostile_requests_get_nothing_and_leave_nothing() {
     assert!(answers.len() >= KINDS, "{answers:?}");
     assert_eq!(files_below(&running.folder()), before);
     // The same requests of somebody honest.
-    assert_eq!(get(running.address, "/files/scene.vxt").status, 200);
-    assert_eq!(get(running.address, "/files/inner/copy%20of%20it.vxt").status, 200);
-    assert_eq!(get(running.address, "/api/list/inner").status, 200);
+    let status = |path: &str, headers: &[&str]| patient(|| get_with(running.address, path, headers)).status;
+    assert_eq!(status("/files/scene.vxt", &[]), 200);
+    assert_eq!(status("/files/inner/copy%20of%20it.vxt", &[]), 200);
+    assert_eq!(status("/api/list/inner", &[]), 200);
     let origin = format!("origin: http://{}", running.address);
-    assert_eq!(get_with(running.address, "/files/scene.vxt", &[&origin, "sec-fetch-site: same-origin"]).status, 200);
-    assert_eq!(get_with(running.address, "/", &["sec-fetch-site: cross-site", "sec-fetch-mode: navigate"]).status, 200);
+    assert_eq!(status("/files/scene.vxt", &[&origin, "sec-fetch-site: same-origin"]), 200);
+    assert_eq!(status("/", &["sec-fetch-site: cross-site", "sec-fetch-mode: navigate"]), 200);
 }
 
 #[test]
@@ -107,22 +120,24 @@ fn slow_clients_are_hung_up_on_and_others_are_answered_meanwhile() {
                 1 => head("PUT", "/api/upload/slow.vox", address, &["content-length: 1000000"]) + "some",
                 _ => String::new(),
             };
-            stream.write_all(text.as_bytes()).unwrap();
+            // It may be hung up on by now.
+            let _ = stream.write_all(text.as_bytes());
             stream
         })
         .collect();
-    assert_eq!(get(address, "/api/list").status, 200);
+    let is_answered = || patient(|| get(address, "/api/list")).status == 200;
+    assert!(is_answered());
     for stream in &mut slow {
         let mut answer = Vec::new();
         // The end, or an answer and the end.
         let _ = stream.read_to_end(&mut answer);
         assert!(!answer.starts_with(b"HTTP/1.1 2"), "{}", String::from_utf8_lossy(&answer));
     }
-    assert_eq!(get(address, "/api/list").status, 200);
-    assert_eq!(files_below(&running.folder()), before, "parts of files were left");
+    assert!(is_answered());
+    until("parts of files are removed", || files_below(&running.folder()) == before);
     // More connections than are allowed wait for the others, and are answered then.
     let idle: Vec<_> = (0..60).map(|_| connect(address)).collect();
-    assert_eq!(get(address, "/api/list").status, 200);
+    assert!(is_answered());
     drop(idle);
 }
 
@@ -134,22 +149,26 @@ fn a_client_that_does_not_read_is_hung_up_on() {
     });
     // Larger than the system keeps for a connection.
     std::fs::write(running.folder().join("large.vox"), vec![0; 64 << 20]).unwrap();
+    let start = Instant::now();
     let mut stream = connect(running.address);
     stream.write_all(head("GET", "/files/large.vox", running.address, &[]).as_bytes()).unwrap();
     // The only connection is free again.
-    let start = Instant::now();
     assert_eq!(get(running.address, "/api/list").status, 200);
     assert!(start.elapsed() >= Duration::from_millis(500), "it waited for the other");
 }
 
 #[test]
 fn the_server_ends_when_it_is_asked_to_whatever_is_open() {
-    let mut running = Running::start(|settings| settings.limits.farewell = Duration::from_secs(1));
+    let mut running = Running::start(|settings| {
+        settings.limits.farewell = Duration::from_secs(1);
+        settings.limits.head = Duration::from_secs(3600);
+        settings.limits.body = Duration::from_secs(3600);
+    });
     let open: Vec<_> = (0..10).map(|_| connect(running.address)).collect();
     let mut begun = connect(running.address);
     begun.write_all(head("PUT", "/api/upload/a.vox", running.address, &["content-length: 1000"]).as_bytes()).unwrap();
     assert_eq!(get(running.address, "/api/list").status, 200);
-    assert!(running.stop() < Duration::from_secs(20));
+    assert!(running.stop() < Duration::from_secs(300));
     assert!(std::net::TcpStream::connect(running.address).is_err());
     drop(open);
 }

@@ -104,6 +104,22 @@ fn a_scene_in_pages_gives_the_film_and_the_hits_of_the_whole_scene() {
 }
 
 #[test]
+fn what_rays_came_to_is_not_marked_for_those_that_follow() {
+    let Some(device) = device() else { return };
+    let scene = hills();
+    let rays = mixed(&scene.grids[0], 500, 7);
+    let scene = Arc::new(PackedScene::pack(&scene).unwrap());
+    let mut tracer = tracer_in(Traversal::Walk, 2 << 20).unwrap();
+    tracer.set_scene(&scene).unwrap();
+    let mut hits = vec![Hit::MISS; rays.len()];
+    tracer.cast_into(&rays, &mut hits).unwrap();
+    assert!(tracer.paged().is_some_and(|(bytes, _)| bytes > 0));
+    assert_eq!(tracer.marked_pages().unwrap(), 0, "pages that nothing needs any more would stay");
+    drop(tracer);
+    assert_valid(&device);
+}
+
+#[test]
 fn pixels_show_a_coarser_level_until_their_pages_are_there() {
     let Some(device) = device() else { return };
     let scene = Arc::new(PackedScene::pack(&hills()).unwrap());

@@ -2,8 +2,12 @@
 
 use crate::cuts::things;
 use std::sync::Arc;
-use voxtrace::glam::{UVec2, Vec3};
-use voxtrace::{Camera, DynamicScene, Edit, Frame, PackedScene, Placement, Shape, Tracer};
+use voxtrace::glam::{IVec3, UVec2, Vec3};
+use voxtrace::lines::{Line, Lines};
+use voxtrace::{
+    Camera, DynamicScene, Edit, Frame, Instance, Material, PackedScene, Placement, Scene, Shape, TraceError, Tracer,
+    Transform, VoxelGrid,
+};
 use voxtrace_core::packed::PackedInstance;
 use voxtrace_realtime::{Parts, Rate, RealTime, Sample};
 use voxtrace_tests::gpu::{assert_valid, device};
@@ -386,6 +390,28 @@ fn pictures_of_real_time_light_are_those_of_the_processor_where_instances_go_and
     compare(&mut both, "two of them", 3, |_| view());
     place(&mut both, all);
     compare(&mut both, "all of them again", 3, |_| view());
+    assert_valid(&device);
+}
+
+#[test]
+fn lines_on_instances_that_were_merged_are_refused_as_by_films() {
+    let Some(device) = device() else { return };
+    let mut block = VoxelGrid::new();
+    block.set(IVec3::ZERO, 0);
+    let mut scene = Scene { materials: vec![Material::default()], ..Scene::new("merged") };
+    let at = |x, y, z| Transform::from_translation(Vec3::new(x, y, z));
+    for place in [at(9.0, 0.0, 0.0), Transform::IDENTITY, Transform::IDENTITY, at(0.0, 9.0, 0.0)] {
+        scene.add_instance(block.clone(), place);
+    }
+    let again = Instance { world_from_grid: at(30.0, 30.0, 30.0), ..scene.instances[1].clone() };
+    scene.instances.push(again);
+    let merged = Arc::new(PackedScene::pack_merged(&scene).unwrap());
+    assert!(merged.is_merged());
+    let mut both = Both::new(&device, &merged, Parts::NONE);
+    let lines = Lines { edges: Some(Line { width: 0.1, color: Vec3::X }), grid: None };
+    let answer = both.gpu.show_real_time(&view().lines(lines), Rate::Full, &both.picture);
+    assert!(matches!(answer, Err(TraceError::BadFrame(_))), "{answer:?}");
+    both.gpu.show_real_time(&view(), Rate::Full, &both.picture).unwrap();
     assert_valid(&device);
 }
 

@@ -208,3 +208,50 @@ fn a_film_that_the_cpu_did_not_end_says_how_many_samples_it_has() {
     tracer.render(&run.frame, &Progress::default()).unwrap();
     assert_eq!(tracer.samples(), FRAMES);
 }
+
+#[test]
+fn work_that_does_not_end_is_given_up_and_nobody_waits_for_it() {
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let faults = Faults::none();
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let device = Device::open(options, Some(&run.wanted), None).unwrap();
+    let name = device.info().name.clone();
+    let mut tracer = VulkanTracer::new(device, run.settings).unwrap();
+    tracer.set_scene(&run.scene).unwrap();
+    tracer.render(&run.frame.clone().samples(2), &Progress::default()).unwrap();
+    let before = faults.calls().len();
+    faults.plant("vkWaitSemaphores", Fault::Hang);
+    let progress = Progress::default();
+    tracer.render(&run.frame, &progress).unwrap();
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    tracer.read(&mut film).unwrap();
+    assert!(film == run.expected);
+    assert_eq!(progress.samples_done(), 9 * 7 * u64::from(FRAMES - 2), "those before are not told again");
+    assert!(!tracer.is_on_cpu(), "the first time it is opened anew");
+    let calls = &faults.calls()[before..];
+    let opened = calls.iter().position(|call| *call == "vkCreateDevice").unwrap();
+    assert!(!calls[..opened].contains(&"vkDeviceWaitIdle"), "that would wait for ever");
+    let notes = tracer.take_notes();
+    assert!(notes.iter().any(|note| note.contains(&name) && note.contains("did not end within")), "{notes:?}");
+    // Again, soon after that.
+    faults.plant("vkWaitSemaphores", Fault::Hang);
+    tracer.render(&run.frame.clone().seed(5), &Progress::default()).unwrap();
+    assert!(tracer.is_on_cpu());
+}
+
+#[test]
+fn a_driver_that_fails_when_it_is_asked_does_not_hide_the_others() {
+    if gpu::wanted().is_none() {
+        return;
+    }
+    let faults = Faults::none();
+    faults.plant("vkEnumerateDeviceExtensionProperties", Fault::OutOfHostMemory);
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let (all, listed) = (devices(Options::default()).unwrap(), devices(options).unwrap());
+    let lacks = listed[0].walk_missing.as_ref().unwrap();
+    assert!(lacks.contains("listing extensions"), "{lacks}");
+    let rest = |list: &[voxtrace_vulkan::DeviceInfo]| -> Vec<_> {
+        list.iter().skip(1).map(|info| (info.name.clone(), info.walk_missing.clone())).collect()
+    };
+    assert_eq!(rest(&listed), rest(&all));
+}

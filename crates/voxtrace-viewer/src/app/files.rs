@@ -3,7 +3,6 @@
 use super::App;
 use super::wake::Wake;
 use crate::dialogs::{Dialog, OpenDialog, PictureKind, SCENE_KINDS};
-use crate::session::Command;
 use crate::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -30,7 +29,7 @@ impl App {
     /// Takes the answer of the system's dialog; where the system has none, the window's own takes its place.
     pub(super) fn take_chosen(&mut self, path: Option<PathBuf>, is_quick: bool) {
         match path {
-            Some(path) => self.session.ask(Command::Load(path.display().to_string())),
+            Some(path) => self.session.open_file(&path),
             None if is_quick => {
                 self.session.say(tr!("said.the_system_has_no_dialog_for"), false);
                 self.session.dialog = Some(Dialog::Open(OpenDialog::new(&self.session)));

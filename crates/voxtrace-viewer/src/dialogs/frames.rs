@@ -1,7 +1,6 @@
 //! Rendering the frames of a turntable or of a flight through the bookmarks.
 
 use super::{PathField, Quality, quality};
-use crate::bookmarks::Bookmarks;
 use crate::export::{Existing, ExportRequest, Job, frame_path};
 use crate::render_command::{RenderCommand, Sequence, quoted};
 use crate::session::Session;
@@ -171,6 +170,19 @@ impl FramesDialog {
         })
     }
 
+    /// Brings the bookmarks' file into the voxels of the scene before the command is copied, which reads them from there.
+    ///
+    /// # Errors
+    /// One line: why the file cannot be read or written.
+    pub fn settle(&self, session: &Session) -> Result<(), String> {
+        match session.bookmarks().filter(|_| self.route == Route::Flight && self.flight.is_ok()) {
+            Some(bookmarks) => {
+                bookmarks.and_then(|mut bookmarks| bookmarks.settle()).map_err(|error| error.to_string())
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The command that renders the same frames.
     pub fn command(&self, session: &Session) -> Option<RenderCommand> {
         let frames = self.frames();
@@ -219,8 +231,9 @@ impl Session {
     /// # Errors
     /// One line: why there is none.
     pub fn flight(&self) -> Result<(PathBuf, Flight), String> {
-        let path = self.bookmark_path().ok_or(tr!("dialogs_frames.no_bookmarks"))?;
-        let bookmarks = Bookmarks::open(&path).map_err(|error| error.to_string())?;
+        let found = self.bookmark_path().zip(self.bookmarks());
+        let (path, bookmarks) = found.ok_or(tr!("dialogs_frames.no_bookmarks"))?;
+        let bookmarks = bookmarks.map_err(|error| error.to_string())?;
         let cameras: Vec<Camera> = bookmarks.iter().map(|(_, camera)| camera.clone()).collect();
         if cameras.len() < 2 {
             return Err(tr!("dialogs_frames.two_bookmarks").into());

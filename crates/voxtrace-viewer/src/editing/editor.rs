@@ -300,6 +300,7 @@ impl Work {
 mod tests {
     use super::*;
     use crate::session::Session;
+    use std::path::Path;
     use voxtrace::glam::IVec3;
     use voxtrace::{Material, Scene, VoxelGrid};
     use voxtrace_vulkan::Traversal;
@@ -328,5 +329,15 @@ mod tests {
             session.dismiss_errors();
             session.toggle_editing();
         }
+        // Once they are saved, nobody is asked to save them.
+        session.begin_saving(Path::new("one.vxt"));
+        session.end_saving(true);
+        session.toggle_editing();
+        let lines: Vec<String> = session.messages().map(|message| message.text.clone()).collect();
+        assert!(
+            !session.has_unsaved_edits() && lines.iter().all(|line| !line.contains(tr!("edit.fault"))),
+            "{lines:?}"
+        );
+        assert!(lines.last().is_some_and(|line| line.contains(tr!("edit.fault_saved"))), "{lines:?}");
     }
 }

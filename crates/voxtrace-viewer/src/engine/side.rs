@@ -173,15 +173,15 @@ impl Side {
         Ok((!tracer.is_on_cpu() && !Arc::ptr_eq(&device, lost)).then_some(device))
     }
 
-    /// The film as it is, shown from another device: its `last` picture went with the old one. `None` where there is no whole film; the next
-    /// step shows it then.
+    /// The film as it is, shown in another light, or from another device: its `last` picture went with the old one. `None` where there is no whole
+    /// film; the next step shows it then.
     pub fn shown_again(&mut self, view: &View, last: Option<Shown>, device: &Arc<Device>) -> Option<Shown> {
         let is_whole = self.done > 0 && !self.lacks_samples(view, device);
         let last = last.filter(|_| is_whole && self.tracer.is_some());
         let frame = view.frame().samples(self.done);
         let picture = last.as_ref().and_then(|_| self.resolve(&frame, None, device).ok().flatten());
         match (last, picture) {
-            (Some(last), Some(picture)) => Some(Shown { picture, samples: self.done, scale: 1, ..last }),
+            (Some(last), Some(picture)) => Some(Shown { picture, samples: self.done, scale: 1, lit: None, ..last }),
             _ => {
                 self.pace.begin();
                 None

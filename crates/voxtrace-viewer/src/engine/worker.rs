@@ -195,6 +195,7 @@ impl Worker {
             Request::Light(light) => {
                 self.light = light;
                 self.light_sides();
+                self.show_paused();
             }
             Request::View { view, is_moving } => {
                 self.is_moving = is_moving;
@@ -226,6 +227,20 @@ impl Worker {
     fn light_sides(&mut self) {
         let light = if self.sides.len() > 1 { Light::default() } else { self.light };
         self.sides.iter_mut().for_each(|side| side.set_light(light));
+    }
+
+    /// Shows the film that is there in another light: while samples are left out, no step comes that would.
+    fn show_paused(&mut self) {
+        let (Some(view), [side]) = (&self.view, &mut self.sides[..]) else { return };
+        let is_alone = side.done > 0 && !side.lacks_samples(view, &self.device);
+        if self.pause != Pause::Samples || self.is_moving || !is_alone {
+            return;
+        }
+        let last = locked(&self.shared.shown)[0].clone();
+        if let Some(shown) = side.shown_again(view, last, &self.device) {
+            locked(&self.shared.shown)[0] = Some(shown);
+            (self.tell)(Event::Picture);
+        }
     }
 
     /// Begins new films.

@@ -329,7 +329,11 @@ impl Painter {
 impl Drop for Painter {
     fn drop(&mut self) {
         self.device.wait_idle();
-        (self.present, self.panels, self.timestamps) = (None, None, None);
+        let parts = (self.present.take(), self.panels.take(), self.timestamps.take());
+        if self.device.is_given_up() {
+            return std::mem::forget(parts);
+        }
+        drop(parts);
         let raw = self.device.raw();
         // SAFETY: the device is idle; null handles are allowed.
         unsafe {

@@ -187,6 +187,10 @@ impl Worker {
         *locked(&self.shared.phases) = phases;
         // A picture that another has replaced goes with its last frame.
         drop(layer);
+        if self.surface.is_none() {
+            // Who has none to give tries again after this frame.
+            std::thread::sleep(BETWEEN_TRIES);
+        }
         self.shared.is_busy.store(false, Ordering::Release);
         match result {
             Ok(outcome) => (self.tell)(Drawing::Ready { is_shown: outcome != Outcome::Again }),

@@ -31,6 +31,8 @@ pub struct Screen {
     make_surface: MakeSurface,
     /// Whether a frame was wanted while the last one was being drawn.
     is_waiting: bool,
+    /// The device that is to draw and for which no surface could be made: it is tried again after the next frame, which shows nothing.
+    wanted: Option<Arc<Device>>,
 }
 
 impl Screen {
@@ -54,6 +56,7 @@ impl Screen {
             device: Arc::clone(device),
             make_surface: Box::new(make_surface),
             is_waiting: false,
+            wanted: None,
         })
     }
 
@@ -78,11 +81,18 @@ impl Screen {
         self.presenter.draw(layer, panels);
     }
 
-    /// Draws on with another device: the same one, opened anew.
+    /// Draws on with another device: the same one, opened anew. Where no surface can be made, it is tried again after the next frame.
     ///
     /// # Errors
     /// What the driver answers to the making of a surface.
     pub fn move_to(&mut self, device: &Arc<Device>) -> Result<(), DrawError> {
+        let moved = self.try_to_move(device);
+        // A surface that does not suit the device never will.
+        self.wanted = self.surface.is_none().then(|| Arc::clone(device));
+        moved
+    }
+
+    fn try_to_move(&mut self, device: &Arc<Device>) -> Result<(), DrawError> {
         let vulkan = device.vulkan();
         let surface = match self.surface.take().filter(|surface| Arc::ptr_eq(surface.vulkan(), vulkan)) {
             Some(surface) => surface,
@@ -104,6 +114,10 @@ impl Screen {
     /// [`DrawError`] where a frame failed, and the next one may do.
     pub fn take(&mut self, drawing: Drawing) -> Result<Next, DrawError> {
         match drawing {
+            Drawing::Ready { .. } if self.wanted.is_some() => {
+                let device = self.wanted.take().unwrap_or_else(|| Arc::clone(&self.device));
+                self.move_to(&device).map(|()| Next::Draw)
+            }
             Drawing::Ready { is_shown } if self.is_waiting || !is_shown => Ok(Next::Draw),
             Drawing::Ready { .. } => Ok(Next::Nothing),
             // Of a device that was left since.

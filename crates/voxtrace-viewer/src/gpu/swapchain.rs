@@ -321,6 +321,10 @@ impl Window {
     fn destroy(&self, chain: Swapchain) {
         // What is being shown waits for semaphores of the chain.
         self.device.wait_presented();
+        if self.device.is_given_up() {
+            // So does the surface, which outlives its swapchains.
+            return std::mem::forget(Arc::clone(&self.surface));
+        }
         let raw = self.device.raw();
         // SAFETY: the device is idle.
         unsafe {
@@ -336,6 +340,9 @@ impl Drop for Window {
     fn drop(&mut self) {
         self.drop_chain();
         self.device.wait_presented();
+        if self.device.is_given_up() {
+            return;
+        }
         for &semaphore in &self.acquired {
             // SAFETY: the device is idle.
             unsafe { self.device.raw().destroy_semaphore(semaphore, None) };

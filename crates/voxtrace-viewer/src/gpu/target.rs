@@ -155,6 +155,9 @@ impl Offscreen {
 impl Drop for Offscreen {
     fn drop(&mut self) {
         self.device.wait_idle();
+        if self.device.is_given_up() {
+            return;
+        }
         let raw = self.device.raw();
         // SAFETY: the device is idle; null handles are allowed.
         unsafe {

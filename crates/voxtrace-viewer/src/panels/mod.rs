@@ -47,6 +47,8 @@ use egui::{
 const WIDTH: f32 = 290.0;
 /// Points below windows about what is under way.
 const GAP: f32 = 24.0;
+/// Points that title and frame of a window over the picture take.
+const TITLE: f32 = 60.0;
 /// Points beside the scroll bar of the side panel.
 const BESIDE_BAR: i8 = 8;
 
@@ -160,13 +162,23 @@ fn under_way(ui: &Ui, title: &str, side: f32, below: f32, add: impl FnOnce(&mut 
     window.map_or(0.0, |window| GAP + window.response.rect.height())
 }
 
+/// What is in a window over the picture, scrolled where it is higher than all of it.
+fn in_sight(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    let most = (ui.ctx().content_rect().height() - TITLE).max(0.0);
+    ScrollArea::vertical().max_height(most).show(ui, add);
+}
+
 /// Begins another line of a row that wraps where so many points and a text do not fit into this one: what is a row in itself does not wrap.
 fn fit(ui: &mut Ui, points: f32, text: &str) {
-    let font = TextStyle::Body.resolve(ui.style());
-    let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x;
-    if ui.available_size_before_wrap().x < points + text + 2.0 * ui.spacing().item_spacing.x {
+    if ui.available_size_before_wrap().x < points + text_width(ui, text) + 2.0 * ui.spacing().item_spacing.x {
         ui.end_row();
     }
+}
+
+/// Points of a text in one line.
+fn text_width(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// A button that stops something, and the key that does. Returns whether it was clicked.

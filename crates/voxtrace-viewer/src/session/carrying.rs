@@ -127,7 +127,11 @@ impl Session {
         let source = of_animation.as_deref().unwrap_or(source);
         let source = match scenes::NAMES.contains(&source) {
             true => source.to_owned(),
-            false => std::path::absolute(source).map_or(source.to_owned(), |path| path.display().to_string()),
+            // A folder whose name is no text leaves it as it was said.
+            false => std::path::absolute(source)
+                .ok()
+                .and_then(|path| Some(path.to_str()?.to_owned()))
+                .unwrap_or(source.to_owned()),
         };
         self.wants_motion = false;
         let reading = Reading { is_cut: self.given_cutting.is_cut(), ..self.motion_wanted(false) };

@@ -42,7 +42,8 @@ impl Session {
         }
         match &mut self.editing {
             Some(editing) if editing.has_failed => {
-                return self.say(tr!("edit.cannot", reason = tr!("edit.fault")), true);
+                let reason = if editing.is_unsaved() { tr!("edit.fault") } else { tr!("edit.fault_saved") };
+                return self.say(tr!("edit.cannot", reason = reason), true);
             }
             Some(editing) => {
                 editing.is_on = !editing.is_on;

@@ -1,10 +1,11 @@
 //! What is kept beside the scene: where its files are, and the bookmarks.
 
 use super::Session;
-use crate::bookmarks::Bookmarks;
+use crate::bookmarks::{BookmarkError, Bookmarks, Seen};
 use crate::dialogs::Dialog;
 use crate::kept_file;
 use crate::navigation::Motion;
+use crate::scale::Scale;
 use crate::tr;
 use std::path::{Path, PathBuf};
 use voxtrace::scenes;
@@ -18,6 +19,16 @@ impl Session {
     /// The file of the scene's bookmarks.
     pub fn bookmark_path(&self) -> Option<PathBuf> {
         self.beside_scene("cameras.toml")
+    }
+
+    /// The bookmarks of the scene, in its voxels; `None` where there is no place for them.
+    pub(crate) fn bookmarks(&self) -> Option<Result<Bookmarks, BookmarkError>> {
+        Some(Bookmarks::open_in(&self.bookmark_path()?, self.scene_of_bookmarks()?))
+    }
+
+    /// The scene as bookmarks are seen in it.
+    pub(crate) fn scene_of_bookmarks(&self) -> Option<Seen> {
+        self.open.as_ref().map(|open| Seen::new(&open.source, Scale::of(&open.original)))
     }
 
     /// A file that is kept beside the scene: of built-in scenes beside the settings, whose folder may not be there yet.
@@ -42,18 +53,18 @@ impl Session {
     }
 
     pub(crate) fn go_to_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else { return };
-        match Bookmarks::open(&path) {
-            Ok(bookmarks) => match bookmarks.get(number).cloned() {
+        match self.bookmarks() {
+            None => {}
+            Some(Ok(bookmarks)) => match bookmarks.get(number).cloned() {
                 Some(camera) => self.move_by(Motion::GoTo(camera)),
                 None => self.say(tr!("said.bookmark_is_empty_shift_keeps_this", number = number), false),
             },
-            Err(error) => self.say(error.to_string(), true),
+            Some(Err(error)) => self.say(error.to_string(), true),
         }
     }
 
     pub(crate) fn store_bookmark(&mut self, number: u8) {
-        let Some(path) = self.bookmark_path() else {
+        let Some((path, bookmarks)) = self.bookmark_path().zip(self.bookmarks()) else {
             if self.is_untitled() {
                 self.say(tr!("said.save_the_scene_first"), false);
             }
@@ -61,7 +72,7 @@ impl Session {
         };
         self.make_kept_folder();
         let camera = self.navigator.camera().clone();
-        let stored = Bookmarks::open(&path).and_then(|mut bookmarks| bookmarks.store(number, &camera));
+        let stored = bookmarks.and_then(|mut bookmarks| bookmarks.store(number, &camera));
         match stored {
             Ok(()) => {
                 self.say(tr!("said.bookmark_kept", number = number, path = path.display()), false);

@@ -6,10 +6,19 @@ use crate::load::Came;
 use crate::navigation::Mode;
 use crate::surroundings::Surroundings;
 use crate::tr;
+use std::path::Path;
 use std::sync::Arc;
 use voxtrace::PackedScene;
 
 impl Session {
+    /// Asks for a file to be opened. Scenes are named in text, as in commands that are copied.
+    pub fn open_file(&mut self, path: &Path) {
+        match path.to_str() {
+            Some(text) => self.ask(Command::Load(text.to_owned())),
+            None => self.say(tr!("said.path_is_no_text", path = path.display()), true),
+        }
+    }
+
     /// Takes what has come from the thread that opens a scene.
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
@@ -21,7 +30,7 @@ impl Session {
         // An animation names the scene that comes, and is to be opened with it.
         let wanted = self.wanted_timeline.as_ref().map_or_else(|| source.clone(), |path| path.display().to_string());
         match result {
-            None => {}
+            None => return,
             Some(Err(error)) => {
                 self.loading = None;
                 self.say(error, true);
@@ -58,6 +67,7 @@ impl Session {
                 }
             }
         }
+        self.play_what_was_read();
     }
 
     /// No other scene comes in the place of the one that is shown, nor, where it `is_again`, the same one read in another way.

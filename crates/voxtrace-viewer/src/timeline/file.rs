@@ -1,7 +1,7 @@
 //! Timelines as the TOML that `voxtrace animate` reads (`docs/animation.md`). What else the file holds is kept, save comments.
 
 use super::{Course, MOST_KEYS, TimeKey, Timeline};
-use crate::bookmarks::Bookmarks;
+use crate::bookmarks::{Bookmarks, Seen};
 use crate::camera_toml;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
@@ -55,6 +55,8 @@ pub struct Cameras<'c> {
     pub of_scene: &'c [Camera],
     /// The scene's bookmarks.
     pub bookmarks: Option<PathBuf>,
+    /// The scene that bookmarks are seen in, in its voxels.
+    pub scene: Option<Seen>,
 }
 
 impl Timeline {
@@ -218,9 +220,10 @@ fn course_of(table: &mut Table, path: &Path, cameras: &Cameras) -> Result<Course
     let mut course = Course { fps, shutter, ..usual };
     let bookmarks = table.get("bookmarks").and_then(Value::as_str);
     let bookmarks = bookmarks.map(|name| path.with_file_name(name)).or_else(|| cameras.bookmarks.clone());
+    let cameras = Cameras { bookmarks, scene: cameras.scene.clone(), ..*cameras };
     if let Some(camera) = table.get("camera") {
         let camera = camera.as_table().ok_or("`camera` is no table")?;
-        read_camera(camera, &mut course, cameras.of_scene, bookmarks.as_deref())?;
+        read_camera(camera, &mut course, &cameras)?;
         table.remove("camera");
     }
     course.seconds = said.unwrap_or(course.keys.last().map_or(course.seconds, |key| key.at + 1.0 / fps));
@@ -228,12 +231,7 @@ fn course_of(table: &mut Table, path: &Path, cameras: &Cameras) -> Result<Course
     Ok(course)
 }
 
-fn read_camera(
-    camera: &Table,
-    course: &mut Course,
-    of_scene: &[Camera],
-    bookmarks: Option<&Path>,
-) -> Result<(), String> {
+fn read_camera(camera: &Table, course: &mut Course, cameras: &Cameras) -> Result<(), String> {
     const KEYS: [&str; 4] = ["path", "ease", "look_at", "focus"];
     if let Some(key) = camera.keys().find(|key| !KEYS.contains(&key.as_str())) {
         return Err(format!(
@@ -251,7 +249,7 @@ fn read_camera(
         if course.keys.last().is_some_and(|before| before.at >= at) {
             return Err(fault("`at` is not after the key before".into()));
         }
-        course.keys.push(TimeKey::new(at, camera_of(entry, of_scene, bookmarks).map_err(fault)?));
+        course.keys.push(TimeKey::new(at, camera_of(entry, cameras).map_err(fault)?));
     }
     if let Some(word) = camera.get("ease") {
         let ease = EASES.iter().find(|(own, _)| Some(*own) == word.as_str());
@@ -269,15 +267,19 @@ fn read_camera(
 }
 
 /// A camera by its place, by name, or by the number of a bookmark, with what the entry changes about it.
-fn camera_of(entry: &Table, of_scene: &[Camera], bookmarks: Option<&Path>) -> Result<Camera, String> {
+fn camera_of(entry: &Table, cameras: &Cameras) -> Result<Camera, String> {
     let named = match (entry.get("camera").and_then(Value::as_str), entry.get("bookmark").and_then(Value::as_integer)) {
         (Some(name), _) => {
-            let found = of_scene.iter().find(|camera| camera.name == name).cloned();
+            let found = cameras.of_scene.iter().find(|camera| camera.name == name).cloned();
             Some(found.ok_or_else(|| format!("the scene has no camera {name:?} of its own"))?)
         }
         (None, Some(number)) => {
-            let path = bookmarks.ok_or("there are no bookmarks")?;
-            let bookmarks = Bookmarks::open(path).map_err(|error| error.to_string())?;
+            let path = cameras.bookmarks.as_deref().ok_or("there are no bookmarks")?;
+            let bookmarks = match cameras.scene.clone() {
+                Some(scene) => Bookmarks::open_in(path, scene),
+                None => Bookmarks::open(path),
+            };
+            let bookmarks = bookmarks.map_err(|error| error.to_string())?;
             let camera = u8::try_from(number).ok().and_then(|number| bookmarks.get(number).cloned());
             Some(camera.ok_or_else(|| format!("there is no bookmark {number}"))?)
         }

@@ -2,7 +2,6 @@
 
 use super::file::{Cameras, EASES};
 use super::{Course, Timeline, TimelineError};
-use crate::bookmarks::Bookmarks;
 use crate::session::Session;
 use crate::tr;
 use std::path::{Path, PathBuf};
@@ -39,12 +38,13 @@ impl Session {
         }
         self.timeline.is_shown |= self.open.is_some();
         if !self.has_motion() && self.timeline.course.track().is_none() {
-            if self.has_keyframes() {
-                self.ask_for_motion();
+            if !self.has_keyframes() {
+                return self.say(tr!("timeline.two_keys"), false);
+            }
+            // What moves is read first; it plays as soon as that is there.
+            if !self.ask_for_motion() {
                 return;
             }
-            self.say(tr!("timeline.two_keys"), false);
-            return;
         }
         let frame = self.timeline.frame();
         let frame = if frame >= self.timeline.course.frames() { 1 } else { frame };
@@ -52,9 +52,26 @@ impl Session {
         self.timeline.playing = Some(self.timeline.course.time_of(frame));
     }
 
+    /// Whether keyframes are all that can move here, and are not read.
+    fn lacks_motion(&self) -> bool {
+        self.has_keyframes() && !self.has_motion() && self.timeline.course.track().is_none()
+    }
+
+    /// A reading is over, or was stopped: what waited for it plays, or does not where it brought nothing that moves.
+    pub(crate) fn play_what_was_read(&mut self) {
+        if self.lacks_motion() {
+            self.timeline.playing = None;
+        } else if self.timeline.is_playing() {
+            self.keep_moving();
+        }
+    }
+
     /// Lets time go by while the timeline plays.
     pub(crate) fn advance_timeline(&mut self, seconds: f32) {
         let Some(time) = self.timeline.playing else { return };
+        if self.lacks_motion() {
+            return;
+        }
         let course = &self.timeline.course;
         let (frames, length) = (course.frames(), course.time_of(course.frames() + 1));
         let mut time = time + f64::from(seconds.max(0.0));
@@ -149,8 +166,7 @@ impl Session {
 
     /// Spreads the bookmarks over the clip, in place of all keys.
     pub fn take_bookmarks(&mut self) {
-        let found = self.bookmark_path().map(|path| Bookmarks::open(&path));
-        let cameras: Vec<Camera> = match found {
+        let cameras: Vec<Camera> = match self.bookmarks() {
             Some(Ok(bookmarks)) => bookmarks.iter().map(|(_, camera)| camera.clone()).collect(),
             Some(Err(error)) => return self.say(error.to_string(), true),
             None => Vec::new(),
@@ -215,10 +231,15 @@ impl Session {
         self.open.as_ref().map(|open| open.original.cameras.clone()).unwrap_or_default()
     }
 
+    /// Where cameras are looked up that a file names.
+    fn named_cameras<'c>(&self, of_scene: &'c [Camera]) -> Cameras<'c> {
+        Cameras { of_scene, bookmarks: self.bookmark_path(), scene: self.scene_of_bookmarks() }
+    }
+
     /// Reads a timeline. A file that is none changes nothing and is told.
     pub fn open_timeline(&mut self, path: &Path) -> bool {
         let of_scene = self.time_cameras();
-        let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
+        let cameras = self.named_cameras(&of_scene);
         match self.timeline.open(path, &cameras) {
             Ok(()) => true,
             Err(error) => {
@@ -243,7 +264,7 @@ impl Session {
         }
         // What is there and moves the camera in another way stays, and a way that somebody else set goes only when asked again.
         let of_scene = self.time_cameras();
-        let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
+        let cameras = self.named_cameras(&of_scene);
         match self.timeline.take_written(&path, &cameras) {
             Ok(true) => {}
             Ok(false) => {
@@ -300,7 +321,7 @@ impl Session {
             self.timeline.is_shown |= self.open_timeline(&path);
         } else if let Some(path) = self.timeline_path().filter(|path| path.is_file()) {
             let of_scene = self.time_cameras();
-            let cameras = Cameras { of_scene: &of_scene, bookmarks: self.bookmark_path() };
+            let cameras = self.named_cameras(&of_scene);
             if let Err(error @ TimelineError::Read { .. }) = self.timeline.open(&path, &cameras) {
                 self.say(error.to_string(), true);
             }

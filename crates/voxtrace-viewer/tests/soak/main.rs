@@ -19,25 +19,32 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use turn::Longest;
 
-/// A turn that takes longer hangs for good.
-const HANG: Duration = Duration::from_secs(20);
+/// Looks at the turns, each of which comes this long after the one before: what is counted in them does not grow where all of the machine stands still.
+const LOOK: Duration = Duration::from_millis(250);
+/// A turn that is under way for so many looks hangs for good: two minutes, or four where looking at the memory waits for the turn,
+/// as others may have the processors. The planted one is waited for less long.
+const HANG: u32 = 480;
+const PLANTED_HANG: u32 = HANG / 6;
 /// A turn of the window's thread that takes longer by itself is felt as one that hangs.
 const FELT: Duration = Duration::from_millis(250);
 /// Runs of seconds that may have such a turn, or end with more memory, one after the other, until that is the program's and not chance. Other threads of
 /// the window, which a turn waits for, wait for a processor where other programs have them all, and the kernel does not say of which wait that was; and in
 /// seconds one large scene may be all that the last quarter has. What hangs or leaks does so again.
-const RUNS: usize = 3;
+const RUNS: usize = 5;
 const GROWS: &str = "memory grows";
 
-/// Time between two looks at the memory.
+/// Time between two looks at the memory, at least.
 const BETWEEN_LOOKS: Duration = Duration::from_secs(1);
+/// Looks at the memory, and events, that a run has at least, however slow the machine is.
+const LEAST_LOOKS: usize = 16;
+const LEAST_EVENTS: u64 = 11;
 
 /// A fault of the program, for the test of the test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Plant {
     Nothing,
-    /// Bytes that are lost in each second: a slow machine makes few events, and loses as much.
-    Leak(f64),
+    /// Bytes that are lost between two looks at the memory: a slow machine makes few events, and loses as much.
+    Leak(usize),
     Hang,
 }
 
@@ -63,9 +70,10 @@ struct Counts {
 
 /// Runs for some time; `Err` says what went wrong. `slack` bytes of growth are nothing.
 fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Option<Result<Counts, String>> {
-    let beats = Arc::new(AtomicU64::new(0));
+    let (beats, frames) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
     let stops = Arc::new(AtomicBool::new(false));
-    let (beat, stop) = (Arc::clone(&beats), Arc::clone(&stops));
+    let (beat, frame, stop) = (Arc::clone(&beats), Arc::clone(&frames), Arc::clone(&stops));
+    let _pulse = turn::Pulse::feel();
     let run = std::thread::spawn(move || {
         let folder = tempfile::tempdir().unwrap();
         // Where files go that nobody named: hands click and type what they like.
@@ -75,20 +83,15 @@ fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Op
         let start = Instant::now();
         let mut counts = Counts::default();
         let mut messages = Vec::new();
-        let mut leaked = Instant::now();
         while !stop.load(Ordering::Relaxed) {
             hands.act(&mut app, start.elapsed());
             counts.events += 1;
             app.turn();
             messages.extend(app.window.forget_instances());
-            match plant {
-                Plant::Leak(rate) => {
-                    std::mem::forget(vec![1u8; (rate * leaked.elapsed().as_secs_f64()) as usize]);
-                    leaked = Instant::now();
-                }
-                Plant::Hang if counts.events > 5 => std::thread::sleep(4 * HANG),
-                _ => {}
+            if plant == Plant::Hang && counts.events > 5 {
+                std::thread::sleep(4 * PLANTED_HANG * LOOK);
             }
+            frame.store(app.window.shown, Ordering::Relaxed);
             beat.fetch_add(1, Ordering::Relaxed);
         }
         (counts.frames, counts.moves, counts.saved) = (app.window.shown, app.window.moves, app.saved);
@@ -97,19 +100,36 @@ fn soak(seed: u64, time: Duration, slack: u64, lights: bool, plant: Plant) -> Op
         messages.dedup();
         Some((counts, without_lost_textures(messages)))
     });
-    let start = Instant::now();
-    let (mut last, mut changed) = (0, Instant::now());
+    let hang = if plant == Plant::Hang { PLANTED_HANG } else { HANG };
+    let (mut start, mut look_again) = (Instant::now(), Instant::now());
+    let (mut last, mut looks) = (0, 0);
     let mut curve = Vec::new();
-    while start.elapsed() < time && !run.is_finished() {
-        std::thread::sleep(Duration::from_millis(250));
-        if start.elapsed() >= BETWEEN_LOOKS * curve.len() as u32 {
-            curve.push(turn::between(Memory::now));
-        }
+    // What a planted leak loses needs no events and no frames, and is not to fill the memory of a slow machine.
+    let is_idle = |events: u64| events < LEAST_EVENTS || frames.load(Ordering::Relaxed) < 2;
+    let is_short =
+        |looks: usize, events: u64| looks < LEAST_LOOKS || (!matches!(plant, Plant::Leak(_)) && is_idle(events));
+    // A slow machine has more time, until there is something to judge.
+    while !run.is_finished() && (start.elapsed() < time || (start.elapsed() < 10 * time && is_short(curve.len(), last)))
+    {
+        std::thread::sleep(LOOK);
         let now = beats.load(Ordering::Relaxed);
-        if now != last {
-            (last, changed) = (now, Instant::now());
+        if now == 0 {
+            // The window is being opened.
+            start = Instant::now();
+        } else if Instant::now() >= look_again {
+            // Not where a turn hangs.
+            if let Some(memory) = turn::between(Memory::now) {
+                curve.push(memory);
+                if let Plant::Leak(bytes) = plant {
+                    std::mem::forget(vec![1u8; bytes]);
+                }
+            }
+            look_again = Instant::now() + BETWEEN_LOOKS;
         }
-        if changed.elapsed() > HANG {
+        looks = if now == last { looks + 1 } else { 0 };
+        last = now;
+        if looks > hang {
+            stops.store(true, Ordering::Relaxed);
             return Some(Err(format!("seed {seed}: hangs after {last} events")));
         }
     }
@@ -180,7 +200,7 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
             continue;
         }
         let counts = result.unwrap();
-        assert!(counts.events > 10 && counts.frames > 1, "{counts:?}");
+        assert!(counts.events >= LEAST_EVENTS && counts.frames > 1, "{counts:?}");
         assert!(!lights || counts.lit > 1, "no picture in real-time light: {counts:?}");
         let longest = &counts.longest;
         if longest.took <= FELT {
@@ -193,8 +213,8 @@ fn random_events_find_no_fault_and_planted_faults_are_found() {
         );
     }
 
-    let found = soak(seed, Duration::from_secs(20), slack, false, Plant::Leak(128e6)).unwrap();
+    let found = soak(seed, Duration::from_secs(20), slack, false, Plant::Leak(128_000_000)).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains(GROWS)), "{found:?}");
-    let found = soak(seed, 3 * HANG, slack, false, Plant::Hang).unwrap();
+    let found = soak(seed, 3 * PLANTED_HANG * LOOK, slack, false, Plant::Hang).unwrap();
     assert!(found.as_ref().is_err_and(|error| error.contains("hangs")), "{found:?}");
 }

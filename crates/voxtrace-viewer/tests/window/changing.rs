@@ -225,6 +225,7 @@ fn another_scene_begins_without_changes() {
     let mut room = in_room("room.vxt");
     room.act(Action::HidePicked, Some(Vec2::new(10.0, 4.0)));
     assert_eq!(room.take_commands(), [], "there is only sky");
+    assert!(said(&mut room).iter().any(|line| line.contains("nothing is under the cursor")));
 }
 
 #[test]
@@ -249,7 +250,7 @@ fn changes_are_made_and_materials_found_while_the_threads_that_trace_are_busy() 
         }
         sender.send((session.take_commands(), lit(&session).materials()[1].emission.max_element()))
     });
-    let done = aside.recv_timeout(Duration::from_secs(60));
+    let done = aside.recv_timeout(Duration::from_secs(300));
     let other = among_them.try_recv();
     gate.wait();
     assert_eq!(done, Ok((vec![Command::SetScene], 3.0)), "it waits for nobody");

@@ -15,6 +15,7 @@ use voxtrace::surroundings::{Fog, Ground};
 use voxtrace_viewer::cutting::{Cutting, Slice};
 use voxtrace_viewer::keys::Action;
 use voxtrace_viewer::load::Loading;
+use voxtrace_viewer::navigation::Motion;
 use voxtrace_viewer::panels::Status;
 use voxtrace_viewer::session::Command;
 use voxtrace_viewer::surroundings::Surroundings;
@@ -187,9 +188,11 @@ fn on_the_map(at: f64, size: f64) -> Arc<PackedScene> {
 }
 
 #[test]
-fn cuts_surroundings_and_the_timeline_stay_in_their_place_where_the_voxels_have_another_size() {
-    let mut session = in_room("a.laz");
-    session.show("a.laz".into(), on_the_map(100.0, 0.5));
+fn cuts_surroundings_bookmarks_and_the_timeline_stay_in_their_place_where_the_voxels_have_another_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("a.laz").display().to_string();
+    let mut session = in_room(&source);
+    session.show(source.clone(), on_the_map(100.0, 0.5));
     let clip_box = Some([Vec3::ONE, Vec3::splat(5.0)]);
     session.set_cutting(Cutting { clip_box, ..Cutting::default() });
     let surroundings = &mut session.render_settings.surroundings;
@@ -197,12 +200,13 @@ fn cuts_surroundings_and_the_timeline_stay_in_their_place_where_the_voxels_have_
     surroundings.fog = Some(Fog { density: 0.5, color: Vec3::ONE, anisotropy: 0.0 });
     session.act(Action::Timeline, None);
     session.add_time_key();
+    session.act(Action::StoreBookmark(1), None);
     let camera = session.timeline.course.keys[0].camera.clone();
     let loader: Arc<dyn Loader> = Arc::new(Finer);
-    session.loading = Some(Loading::start(&loader, "a.laz", Reading::default(), true, Arc::new(|| {})));
+    session.loading = Some(Loading::start(&loader, &source, Reading::default(), true, Arc::new(|| {})));
     let start = Instant::now();
     while session.loading.is_some() {
-        assert!(start.elapsed() < Duration::from_secs(60));
+        assert!(start.elapsed() < Duration::from_secs(300));
         std::thread::sleep(Duration::from_millis(1));
         session.take_loaded();
     }
@@ -214,4 +218,9 @@ fn cuts_surroundings_and_the_timeline_stay_in_their_place_where_the_voxels_have_
     let moved = &session.timeline.course.keys[0].camera;
     assert_eq!(moved.eye, camera.eye * 2.0 + Vec3::splat(40.0));
     assert_eq!(moved.eye, session.navigator.camera().eye, "as the camera of the picture");
+    let eye = moved.eye;
+    session.move_by(Motion::Orbit { delta: (60.0, 10.0).into(), pivot: None });
+    assert_ne!(session.navigator.camera().eye, eye);
+    session.act(Action::GoToBookmark(1), None);
+    assert_eq!(session.navigator.camera().eye, eye);
 }

@@ -1,5 +1,6 @@
 //! The dialogs as a screen reader has them: what is there by its name, and what a click asks for.
 
+use crate::common::panel::sized_panels;
 use crate::common::{SIZE, in_room, said};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
@@ -68,6 +69,21 @@ fn a_picture_is_asked_for_with_what_was_chosen_and_never_over_another_unasked() 
     assert!(!is_enabled(&harness, "Render"), "that was said of another file");
     click(&mut harness, "Cancel");
     assert!(harness.state().dialog.is_none() && harness.state_mut().take_commands().is_empty());
+}
+
+#[test]
+fn a_dialog_is_as_wide_as_a_small_window() {
+    let folder = tempfile::tempdir().unwrap();
+    for action in [Action::RenderPicture, Action::RenderFrames, Action::Record, Action::SaveScene, Action::OpenByPath] {
+        let mut session = in_folder(&folder);
+        session.act(action, None);
+        let harness = sized_panels(session, [400.0, 500.0]);
+        for name in ["Browse…", "Cancel"] {
+            let rect = harness.get_by_role_and_label(Role::Button, name).rect();
+            let is_inside = rect.left() > 0.0 && rect.right() < 400.0 && rect.top() > 0.0 && rect.bottom() < 500.0;
+            assert!(is_inside, "{action:?}, {name}: {rect}");
+        }
+    }
 }
 
 #[test]

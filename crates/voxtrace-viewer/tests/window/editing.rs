@@ -105,6 +105,14 @@ fn each_tool_does_what_it_says() {
     assert!(hand.voxels().voxels().filter(|(voxel, _)| voxel.z == 0).all(|(_, material)| material == 1));
     hand.ctrl('Z');
     hand.steps(4, 1);
+    // Beside a box that is selected nothing is filled, and it is said why.
+    hand.key(Modifiers::NONE, Key::Digit(0));
+    hand.drag(&[floor(2, 2), floor(4, 4)]);
+    hand.key(Modifiers::NONE, Key::Digit(8));
+    hand.click(floor(20, 2));
+    assert!(said(&mut hand.session).iter().any(|line| line.contains("inside of what is selected")));
+    hand.session.editing.as_mut().unwrap().selection = None;
+    hand.steps(4, 1);
     // Replace one material everywhere, and erase one.
     hand.take_material(0);
     hand.key(Modifiers::NONE, Key::Digit(9));

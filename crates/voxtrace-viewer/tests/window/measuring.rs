@@ -97,7 +97,7 @@ fn what_is_counted_comes_while_the_panels_are_hidden_too() {
     let mut harness = panels(session, Status::default());
     let start = Instant::now();
     while harness.state().measuring.flood.is_some() {
-        assert!(start.elapsed() < Duration::from_secs(60));
+        assert!(start.elapsed() < Duration::from_secs(300));
         std::thread::sleep(Duration::from_millis(1));
         harness.run_steps(1);
     }
@@ -150,7 +150,7 @@ fn the_volume_of_what_was_clicked_comes_from_a_thread_also_where_the_scene_is_cu
         click(&mut input, session, at);
         let start = Instant::now();
         while !session.measuring.list.contains_key(&number) {
-            assert!(start.elapsed().as_secs() < 60, "nothing was counted: {:?}", said(session));
+            assert!(start.elapsed().as_secs() < 300, "nothing was counted: {:?}", said(session));
             session.take_component();
         }
         let component = session.measuring.list[&number].component.clone().unwrap();

@@ -45,6 +45,10 @@ impl Loader for Words {
                 tell(Told::Moves(Arc::new(Motion { base, animation, has_own_rate: false, keyframes: 3 })));
                 Ok(PackedScene::clone(&packed()))
             }
+            "steps.vox" => {
+                tell(Told::Keyframes(3));
+                Ok(PackedScene::clone(&packed()))
+            }
             "bad.vxt" => Err("bad.vxt: the file ends too early".into()),
             _ => panic!("the loader has a fault"),
         }
@@ -215,4 +219,27 @@ fn nothing_of_a_scene_that_moves_is_left_in_an_empty_one() {
     load(&mut session, "walk.vox");
     load(&mut session, "good.vxt");
     assert!(!session.has_motion());
+}
+
+#[test]
+fn one_press_plays_the_keyframes_of_a_file() {
+    let mut session = in_room("room.vxt");
+    load(&mut session, "steps.vox");
+    session.take_commands();
+    session.act(Action::Play, None);
+    assert!(session.timeline.is_playing(), "as soon as what moves is read");
+    assert!(session.take_commands().contains(&Command::LoadAgain));
+    session.act(Action::Play, None);
+    assert!(!session.timeline.is_playing());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_whose_name_is_no_text_is_refused_with_its_name() {
+    use std::os::unix::ffi::OsStrExt;
+    let mut session = in_room("room.vxt");
+    session.take_commands();
+    session.take_dropped(Path::new(std::ffi::OsStr::from_bytes(b"/a/b\xff.vox")));
+    assert_eq!(session.take_commands(), []);
+    assert!(said(&mut session).iter().any(|line| line.contains("/a/b") && line.contains("UTF-8")));
 }

@@ -73,6 +73,19 @@ fn k_sets_keys_at_the_playhead_and_space_plays_from_one_to_the_next_in_real_time
 }
 
 #[test]
+fn escape_stops_what_plays_and_nothing_else() {
+    let mut session = with_two_keys("room.vxt");
+    session.act(Action::Play, None);
+    assert!(session.timeline.is_playing());
+    session.take_commands();
+    session.act(Action::Cancel, None);
+    assert!(!session.timeline.is_playing() && session.timeline.is_shown);
+    assert_eq!(session.take_commands(), [], "full screen stays");
+    session.act(Action::Cancel, None);
+    assert_eq!(session.take_commands(), [Command::LeaveFullscreen]);
+}
+
+#[test]
 fn while_two_tracers_are_compared_k_moves_their_divider() {
     let mut session = in_room("room.vxt");
     session.act(Action::Compare, None);

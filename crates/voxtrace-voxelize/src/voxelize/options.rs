@@ -54,6 +54,6 @@ pub enum Scale {
 pub enum SurfaceRule {
     /// Conservative, 26-separating: every voxel that the surface crosses. No path passes it, not even along diagonals.
     Conservative,
-    /// Thin, 6-separating: no path through faces passes it. About two thirds as many voxels.
+    /// Thin, 6-separating: no path through faces passes it. A little more than half as many voxels.
     Thin,
 }

@@ -186,8 +186,10 @@ impl Structure {
         // SAFETY: the device is alive; the pool is destroyed below.
         let pool = unsafe { raw.create_query_pool(&info, None) }.context("compacting")?;
         let result = self.compacted_size(submitter, pool, query_type);
-        // SAFETY: the submit that used the pool is over.
-        unsafe { raw.destroy_query_pool(pool, None) };
+        if device.hung().is_none() {
+            // SAFETY: the submit that used the pool is over.
+            unsafe { raw.destroy_query_pool(pool, None) };
+        }
         let compact = Self::empty(&device, name, kind, result?)?;
         let copy = vk::CopyAccelerationStructureInfoKHR::default()
             .src(self.handle)
@@ -237,6 +239,9 @@ impl Structure {
 
 impl Drop for Structure {
     fn drop(&mut self) {
+        if self.device.hung().is_some() {
+            return;
+        }
         if let Some(functions) = &self.device.acceleration {
             // SAFETY: whoever drops a structure has waited for the work that uses it.
             unsafe { functions.destroy_acceleration_structure(self.handle, None) };

@@ -77,25 +77,71 @@ pub fn choose(
     with_processor: bool,
 ) -> Result<Choice, TraceError> {
     let vulkan = Vulkan::open(options)?;
-    let (mut tracers, mut names, mut remarks) = (Vec::new(), Vec::new(), String::new());
-    let (mut traversal, mut by) = (Traversal::Walk, String::new());
-    for number in numbers {
+    let open = |number: &usize| {
         let device = Device::open_on(&vulkan, Some(&number.to_string()), request.memory_budget)?;
         let (settings, remark) = settings_for(request, &device);
+        let tracer = VulkanTracer::new(device, settings)?.with_pages(!request.is_automatic());
+        Ok((tracer, settings, remark))
+    };
+    let opened = numbers.iter().map(|number| (*number, open(number)));
+    let (opened, failures) = those_that_open(opened, request.device.as_deref() == Some(ALL))?;
+    let failures = failures.join("; ");
+    if opened.is_empty() && request.is_automatic() {
+        return Ok(Choice::cpu(format!("tracing on the CPU: no GPU works ({failures})")));
+    }
+    let (mut tracers, mut names, mut remarks) = (Vec::new(), Vec::new(), String::new());
+    let (mut traversal, mut by) = (Traversal::Walk, String::new());
+    for (number, (tracer, settings, remark)) in opened {
         (traversal, by) = (settings.traversal, with(settings));
         remarks += &remark;
-        names.push(format!("{} ({number})", device.info().name));
-        tracers.push(VulkanTracer::new(device, settings)?.with_pages(!request.is_automatic()));
+        names.push(format!("{} ({number})", tracer.device().info().name));
+        tracers.push(tracer);
+    }
+    if tracers.is_empty() {
+        return Err(TraceError::Unsupported(failures));
     }
     names.extend(with_processor.then(|| "the processor".to_owned()));
-    let reason = format!("tracing on {} devices: {}; {by}{remarks}", names.len(), names.join(", "));
+    let count = if names.len() == 1 { "1 device".into() } else { format!("{} devices", names.len()) };
+    let reason = format!("tracing on {count}: {}; {by}{remarks}", names.join(", "));
     let tracer = Box::new(SharedTracer::new(tracers, with_processor));
-    Ok(Choice { tracer, traversal, reason, warning: None })
+    Ok(Choice { tracer, traversal, reason, warning: (!failures.is_empty()).then_some(failures) })
+}
+
+/// Devices by their numbers.
+type Numbered<T> = Vec<(usize, T)>;
+
+/// Devices by their numbers, and what is wrong with those that do not open, which matters less than the others where all were asked for; else the first
+/// of them is an error.
+fn those_that_open<T>(
+    devices: impl Iterator<Item = (usize, Result<T, TraceError>)>,
+    are_all: bool,
+) -> Result<(Numbered<T>, Vec<String>), TraceError> {
+    let (mut opened, mut failures) = (Vec::new(), Vec::new());
+    for (number, device) in devices {
+        match device {
+            Ok(device) => opened.push((number, device)),
+            Err(error) if are_all => failures.push(format!("device {number} takes no part: {error}")),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok((opened, failures))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn of_all_devices_those_count_that_open_and_of_those_that_were_named_each() {
+        let devices = || {
+            let failed = TraceError::Unsupported("no queue".into());
+            [(0, Ok("a")), (1, Err(failed)), (3, Ok("b"))].into_iter()
+        };
+        let (opened, failures) = those_that_open(devices(), true).unwrap();
+        assert_eq!(opened, [(0, "a"), (3, "b")]);
+        assert_eq!(failures, ["device 1 takes no part: not supported: no queue"]);
+        assert!(those_that_open(devices(), false).is_err());
+    }
 
     #[test]
     fn several_devices_are_numbers_with_commas_and_names_are_names() {

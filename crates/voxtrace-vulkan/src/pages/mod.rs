@@ -149,7 +149,14 @@ impl Pages {
         transfer.download(submitter, &self.table, marks_at, bytemuck::cast_slice_mut(&mut marks))?;
         let marked = marks.iter().enumerate().filter(|(_, mark)| **mark != 0).map(|(page, _)| page);
         let brought = self.slots.bring(marked);
+        let (device, table) = (Arc::clone(&self.device), self.table.handle);
+        let clear = |commands| {
+            // SAFETY: the marks lie inside the table; the commands are being recorded.
+            unsafe { device.raw.cmd_fill_buffer(commands, table, marks_at, 4 * count as u64, 0) }
+        };
         if brought.wanted == 0 {
+            // Else the next round would seem to use what this one came to, and leave no room for what it wants.
+            submitter.run_commands("clearing the marks of pages", &clear)?;
             return Ok(Served::Everything);
         }
         #[cfg_attr(not(feature = "faults"), expect(unused_mut, reason = "tests plant faults"))]
@@ -166,15 +173,19 @@ impl Pages {
         writes.extend(pages.iter().map(|&(at, words)| Write::new(&self.pool, at, cast_slice(words))));
         let slots_at = 4 * u64::from(PAGE_HEADER);
         writes.push(Write::new(&self.table, slots_at, cast_slice(self.slots.of_pages())));
-        let (raw, table) = (&self.device.raw, self.table.handle);
-        let clear = |commands| {
-            // SAFETY: the marks lie inside the table; the commands are being recorded.
-            unsafe { raw.cmd_fill_buffer(commands, table, marks_at, 4 * count as u64, 0) }
-        };
         transfer.write(submitter, &writes, Some(("bringing pages of the scene", &clear)))?;
         self.rounds += 1;
         self.loaded_bytes += pages.len() as u64 * PAGE_BYTES;
         Ok(if pages.is_empty() { Served::Nothing } else { Served::Some })
+    }
+
+    /// Pages that are marked, for tests.
+    #[cfg(feature = "faults")]
+    pub fn marked(&self, submitter: &mut Submitter, transfer: &mut Transfer) -> Result<usize, TraceError> {
+        let mut marks = vec![0u32; self.count as usize];
+        let at = 4 * u64::from(PAGE_HEADER + self.count);
+        transfer.download(submitter, &self.table, at, bytemuck::cast_slice_mut(&mut marks))?;
+        Ok(marks.into_iter().filter(|mark| *mark != 0).count())
     }
 
     /// Bytes of pages that were uploaded so far, and rounds of tracing after which some were asked for.

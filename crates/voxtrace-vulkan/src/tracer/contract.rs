@@ -142,9 +142,9 @@ impl Tracer for VulkanTracer {
     }
 
     fn resume(&mut self, frame: &Frame, film: Film) -> Result<(), TraceError> {
-        self.is_carried = false;
         frame.check()?;
         frame.check_film(&film)?;
+        self.is_carried = false;
         self.rendered = None;
         self.copy = Some((frame.clone(), film));
         let copy = self.copy.clone();

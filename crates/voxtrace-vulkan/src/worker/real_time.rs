@@ -24,6 +24,7 @@ impl Worker {
     ) -> Result<RealTimeFrame, TraceError> {
         frame.check()?;
         let scene = Arc::clone(self.scene()?);
+        frame.check_in(&scene)?;
         if picture.size() != (frame.width, frame.height) || !Arc::ptr_eq(picture.device(), &self.device) {
             return Err(TraceError::BadFrame("the picture has another size or lies on another device".into()));
         }

@@ -234,6 +234,24 @@ fn a_grid_has_holes_where_nobody_says_how_they_are_marked_and_cells_that_are_no_
 }
 
 #[test]
+fn a_grid_with_decimal_commas_is_the_one_with_points() {
+    let text =
+        "ncols 2\nnrows 2\nxllcorner 100.5\nyllcorner 200\ncellsize 2.5\nNODATA_value -9999.5\n5.25 -9999.5\n10.5 6\n";
+    let folder = tempfile::tempdir().unwrap();
+    let read = |text: &str| {
+        let path = folder.path().join("a.asc");
+        fs::write(&path, text).unwrap();
+        let Data::Voxels(found) = import::read(&path, &ImportOptions::default()).unwrap() else { panic!() };
+        let bounds = found.scene.grids[0].bounds().unwrap();
+        let place = found.scene.georeference.unwrap().coordinates_from_world;
+        (found.scene.voxel_size, found.scene.grids[0].count(), bounds.min, bounds.max, place)
+    };
+    let found = read(text);
+    assert_eq!(found.0, 2.5);
+    assert_eq!(read(&text.replace('.', ",")), found);
+}
+
+#[test]
 fn damage_is_an_error_or_another_map_and_never_a_panic() {
     let numbers = [0, 1, 0x7fff_ffff, u32::MAX, f32::NAN.to_bits(), f32::INFINITY.to_bits()];
     let texts = ["nan", "inf", "-1", "1e400", "1e38", "99999999999", " ", "\n", "0", "-9999", "D+99"];

@@ -283,10 +283,8 @@ fn sun_and_sky_keep_their_light() {
 
 #[test]
 fn a_file_is_opened_by_its_first_bytes_or_its_extension() {
-    let folder = std::env::temp_dir().join(format!("voxtrace-open-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let (named, nameless, other, lying) =
-        (folder.join("a.vox"), folder.join("scene"), folder.join("a.off"), folder.join("b.VOX"));
+    let folder = tempfile::tempdir().unwrap();
+    let [named, nameless, other, lying] = ["a.vox", "scene", "a.off", "b.VOX"].map(|name| folder.path().join(name));
     export::vox::write(&named, &scene()).unwrap();
     std::fs::copy(&named, &nameless).unwrap();
     std::fs::write(&other, "v 0 0 0").unwrap();
@@ -299,7 +297,6 @@ fn a_file_is_opened_by_its_first_bytes_or_its_extension() {
         assert!(matches!(error.kind, ImportErrorKind::UnknownFormat(_)), "{error}");
         assert_eq!((&error.path, error.offset), (path, Some(0)));
     }
-    assert!(matches!(open(&folder.join("none.vox")).unwrap_err().kind, ImportErrorKind::Io(_)));
-    assert!(matches!(export::vox::write(&folder.join("no/such.vox"), &scene()), Err(ExportError::Io { .. })));
-    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(matches!(open(&folder.path().join("none.vox")).unwrap_err().kind, ImportErrorKind::Io(_)));
+    assert!(matches!(export::vox::write(&folder.path().join("no/such.vox"), &scene()), Err(ExportError::Io { .. })));
 }

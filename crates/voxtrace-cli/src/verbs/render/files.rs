@@ -70,7 +70,8 @@ impl Job {
         let parts: Vec<String> = self.outputs.iter().map(|path| part_path(path).display().to_string()).collect();
         let so_far =
             if parts.is_empty() { String::new() } else { format!("the picture so far is {}; ", parts.join(", ")) };
-        let failure = Failure::new(Kind::Interrupted, format!("interrupted at {samples} samples a pixel"));
+        let unit = if samples == "1" { "sample" } else { "samples" };
+        let failure = Failure::new(Kind::Interrupted, format!("interrupted at {samples} {unit} a pixel"));
         failure.hint(match &self.films {
             Some(path) => format!("{so_far}continue with --resume {}", path.display()),
             None => format!("{so_far}with --checkpoint it could be continued"),

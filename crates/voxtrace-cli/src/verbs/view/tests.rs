@@ -17,6 +17,18 @@ fn the_options_that_read_a_scene_are_kept_word_for_word() {
     assert_eq!(kept("--resolution=9 a.stl --up-axis y", Some("a.stl")), "--resolution=9 --up-axis y");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_word_that_is_no_text_is_refused_with_a_line() {
+    use std::os::unix::ffi::OsStringExt;
+    let words = |last: &[u8]| {
+        let all = [&b"voxtrace"[..], b"-q", b"view", b"a.nii", b"--labels", last];
+        words_of_view(all.into_iter().map(|word| OsString::from_vec(word.to_vec())))
+    };
+    assert_eq!(words(b"b.nii").ok(), Some(["a.nii", "--labels", "b.nii"].map(str::to_owned).to_vec()));
+    assert!(words(b"b\xff.nii").unwrap_err().line().contains("is no UTF-8"));
+}
+
 #[derive(clap::Parser)]
 struct Words {
     #[command(flatten)]

@@ -5,6 +5,7 @@ mod glb;
 mod gltf_material;
 mod obj;
 mod ply;
+mod vertices;
 
 pub use glb::write as write_glb;
 pub use obj::{companions as obj_companions, write as write_obj};
@@ -12,6 +13,7 @@ pub use ply::write as write_ply;
 
 use glam::{DVec3, IVec3};
 use rayon::prelude::*;
+use std::io::{self, Write};
 use voxtrace_scene::faces::{FaceRectangle, face_rectangles};
 use voxtrace_scene::scene::{Instance, Scene};
 
@@ -40,17 +42,41 @@ impl<'s> Surfaces<'s> {
         all.filter(|(_, rectangles)| !rectangles.is_empty())
     }
 
-    /// The corners of a rectangle, in the grid and in the world, in voxels; counter-clockwise from outside also where the instance is mirrored.
-    fn corners(instance: &Instance, rectangle: &FaceRectangle) -> [(IVec3, DVec3); 4] {
-        let placed = &instance.world_from_grid;
-        let (linear, translation) = (placed.linear.as_dmat3(), placed.translation.as_dvec3());
-        let mut corners = rectangle.corners().map(|corner| (corner, linear * corner.as_dvec3() + translation));
-        let is_mirrored = linear.determinant() < 0.0;
+    /// The corners of a rectangle in its grid; counter-clockwise from outside also where the instance is mirrored.
+    fn corners(instance: &Instance, rectangle: &FaceRectangle) -> [IVec3; 4] {
+        let mut corners = rectangle.corners();
+        let is_mirrored = instance.world_from_grid.linear.as_dmat3().determinant() < 0.0;
         if is_mirrored {
             corners.swap(1, 3);
         }
         corners
     }
+
+    /// Where a corner stands in the world, in voxels.
+    fn place(instance: &Instance, corner: IVec3) -> DVec3 {
+        let placed = &instance.world_from_grid;
+        placed.linear.as_dmat3() * corner.as_dvec3() + placed.translation.as_dvec3()
+    }
+}
+
+/// Writes each of these, many at a time.
+fn write_each<T: Sync>(
+    file: &mut impl Write,
+    all: &[T],
+    write: impl Fn(&mut Vec<u8>, &T) -> io::Result<()> + Sync,
+) -> io::Result<()> {
+    // A brick may be 512 lines of text: at worst a few hundred megabytes at once, in parts so small that all cores have some.
+    for some in all.chunks(1 << 14) {
+        let of_part = |part: &[T]| {
+            let mut bytes = Vec::new();
+            part.iter().try_for_each(|one| write(&mut bytes, one)).map(|()| bytes)
+        };
+        let parts: Vec<_> = some.par_chunks(1 << 8).map(of_part).collect();
+        for bytes in parts {
+            file.write_all(&bytes?)?;
+        }
+    }
+    Ok(())
 }
 
 /// What of a scene no mesh holds, one phrase each.

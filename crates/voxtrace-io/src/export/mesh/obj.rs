@@ -1,14 +1,15 @@
 //! Wavefront OBJ, and its materials as MTL beside it: an object for each instance, quadrilaterals, y up.
 
-use super::{Surfaces, left_out};
+use super::vertices::Vertices;
+use super::{Surfaces, left_out, write_each};
 use crate::export::{ExportError, MTL_HEAD};
 use crate::output::write_atomically;
-use glam::{DVec3, IVec3, Vec3};
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use voxtrace_scene::faces::FaceRectangle;
 use voxtrace_scene::material::{Material, encode_srgb};
 use voxtrace_scene::scene::Scene;
 
@@ -42,36 +43,32 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
 fn write_to(file: &mut impl Write, surfaces: &Surfaces, library: &str) -> io::Result<()> {
     let edge = surfaces.scene.voxel_size;
     writeln!(file, "# voxtrace, voxels of {edge}\nmtllib {library}")?;
-    let mut written = 0u64;
+    // Vertices are numbered from 1 on.
+    let mut first = 1;
     for (number, (instance, rectangles)) in surfaces.instances().enumerate() {
         // Names end where the line does, and some programs end them at a space.
         let word: String = instance.name.split_whitespace().collect::<Vec<_>>().join("_");
         let name = if word.is_empty() { format!("instance_{number}") } else { word };
         writeln!(file, "o {name}")?;
-        let mut known: FxHashMap<IVec3, u64> = FxHashMap::default();
-        let mut by_material = rectangles.to_vec();
-        by_material.sort_by_key(|rectangle| rectangle.material);
-        let mut material = None;
-        for rectangle in by_material {
-            let mut face = [0; 4];
-            for (index, (corner, place)) in face.iter_mut().zip(Surfaces::corners(instance, &rectangle)) {
-                if let Some(&there) = known.get(&corner) {
-                    *index = there;
-                    continue;
-                }
-                let DVec3 { x, y, z } = place * edge;
+        let vertices = Vertices::of(rectangles.iter().flat_map(FaceRectangle::corners));
+        write_each(file, vertices.bricks(), |text, brick| {
+            for corner in brick.corners() {
+                let DVec3 { x, y, z } = Surfaces::place(instance, corner) * edge;
                 // Zeros have no sign.
-                writeln!(file, "v {} {} {}", x + 0.0, z + 0.0, 0.0 - y)?;
-                written += 1;
-                known.insert(corner, written);
-                *index = written;
+                writeln!(text, "v {} {} {}", x + 0.0, z + 0.0, 0.0 - y)?;
             }
-            if material.replace(rectangle.material) != Some(rectangle.material) {
-                writeln!(file, "usemtl material_{}", rectangle.material)?;
-            }
-            let [a, b, c, d] = face;
-            writeln!(file, "f {a} {b} {c} {d}")?;
+            Ok(())
+        })?;
+        let mut by_material = rectangles.to_vec();
+        by_material.par_sort_by_key(|rectangle| rectangle.material);
+        for alike in by_material.chunk_by(|one, next| one.material == next.material) {
+            writeln!(file, "usemtl material_{}", alike[0].material)?;
+            write_each(file, alike, |text, rectangle| {
+                let [a, b, c, d] = Surfaces::corners(instance, rectangle).map(|corner| first + vertices.number(corner));
+                writeln!(text, "f {a} {b} {c} {d}")
+            })?;
         }
+        first += vertices.count();
     }
     Ok(())
 }

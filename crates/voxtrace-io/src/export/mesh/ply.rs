@@ -1,6 +1,6 @@
 //! Binary PLY (Turk, "The PLY Polygon File Format", 1994): quadrilaterals with a colour at each vertex, z up.
 
-use super::{Surfaces, left_out};
+use super::{Surfaces, left_out, write_each};
 use crate::export::ExportError;
 use crate::export::flat_color::{lost_of, shown_srgb};
 use crate::output::write_atomically;
@@ -43,14 +43,14 @@ fn write_to(file: &mut impl Write, surfaces: &Surfaces, faces: usize) -> io::Res
     )?;
     let colors: Vec<[u8; 3]> = scene.materials.iter().map(shown_srgb).collect();
     for (instance, rectangles) in surfaces.instances() {
-        for rectangle in rectangles {
-            for (_, corner) in Surfaces::corners(instance, rectangle) {
-                for coordinate in (corner * scene.voxel_size).to_array() {
-                    file.write_all(&(coordinate as f32).to_le_bytes())?;
-                }
-                file.write_all(&colors[usize::from(rectangle.material)])?;
+        write_each(file, rectangles, |bytes, rectangle| {
+            for corner in Surfaces::corners(instance, rectangle) {
+                let place = Surfaces::place(instance, corner) * scene.voxel_size;
+                bytes.extend(place.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
+                bytes.extend(colors[usize::from(rectangle.material)]);
             }
-        }
+            Ok(())
+        })?;
     }
     for face in 0..faces as u32 {
         file.write_all(&[4])?;

@@ -18,7 +18,7 @@ fn a_mirrored_instance_turns_its_faces_outwards_too() {
         assert_eq!(rectangles.len(), 6);
         let middle = placed.point(Vec3::new(2.5, 4.5, 4.0)).as_dvec3();
         for rectangle in rectangles {
-            let [a, b, c, d] = Surfaces::corners(instance, rectangle).map(|(_, corner)| corner);
+            let [a, b, c, d] = Surfaces::corners(instance, rectangle).map(|corner| Surfaces::place(instance, corner));
             let (normal, centre) = ((b - a).cross(c - a), (a + b + c + d) / 4.0);
             assert!(normal.dot(centre - middle) > 0.0);
             // Seen the other way round it would look inwards.
@@ -37,4 +37,12 @@ fn hidden_instances_have_no_surface_and_are_said_to_be_left_out() {
     scene.instances[1].hidden = true;
     assert_eq!(Surfaces::of(&scene).instances().count(), 1);
     assert_eq!(left_out(&scene), ["hidden instances (1)"]);
+}
+
+#[test]
+fn what_is_written_many_at_a_time_keeps_its_order() {
+    let numbers: Vec<u32> = (0..40_000).collect();
+    let mut written = Vec::new();
+    write_each(&mut written, &numbers, |bytes, number| bytes.write_all(&number.to_le_bytes())).unwrap();
+    assert!(written.as_chunks().0.iter().map(|&bytes| u32::from_le_bytes(bytes)).eq(numbers));
 }

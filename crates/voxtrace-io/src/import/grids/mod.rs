@@ -4,6 +4,7 @@ pub(crate) mod dense;
 pub(crate) mod paints;
 pub(crate) mod slab;
 
+use crate::import::source::input::beyond;
 use glam::IVec3;
 use std::path::Path;
 use voxtrace_scene::grid::MAX_COORDINATE;
@@ -13,7 +14,7 @@ use voxtrace_voxelize::{ImportError, Limits};
 pub(crate) fn checked_size(path: &Path, offset: u64, size: [u64; 3], limits: &Limits) -> Result<IVec3, ImportError> {
     let edge = size.into_iter().max().unwrap_or(0);
     if edge > MAX_COORDINATE as u64 {
-        return Err(ImportError::limit(path, Some(offset), "voxels along an edge", edge, MAX_COORDINATE as u64));
+        return Err(beyond(path, Some(offset), "voxels along an edge", edge, MAX_COORDINATE as u64));
     }
     let places = size.into_iter().fold(1u64, u64::saturating_mul);
     if places > limits.voxels {

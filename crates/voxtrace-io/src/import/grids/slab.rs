@@ -1,6 +1,7 @@
 //! Voxels that come layer by layer become bricks, eight layers at a time: a file of runs never unpacks into one large array.
 
 use super::dense;
+use crate::import::source::input::beyond;
 use glam::IVec3;
 use rayon::prelude::*;
 use std::path::Path;
@@ -28,7 +29,7 @@ impl Slabs {
         let places = size.to_array().map(|edge| edge as u64);
         let layer = (0..3).filter(|&other| other != axis).map(|other| places[other]).product();
         if layer > LAYER {
-            return Err(ImportError::limit(path, Some(offset), "places in a layer", layer, LAYER));
+            return Err(beyond(path, Some(offset), "places in a layer", layer, LAYER));
         }
         Ok(Self { size, axis, layer: -1, cells: Vec::new(), bricks: Vec::new() })
     }

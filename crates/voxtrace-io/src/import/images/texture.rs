@@ -24,6 +24,18 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> 
     })?
 }
 
+/// As [`decode`], of a picture that is kept beside others, which have `taken` so many bytes of those that all may take.
+///
+/// # Errors
+/// As [`decode`].
+#[cfg(feature = "mesh")]
+pub(crate) fn decode_another(bytes: &[u8], taken: &mut u64, limits: &Limits) -> Result<Texture, Refused> {
+    let left = Limits { bytes: limits.bytes.saturating_sub(*taken), ..*limits };
+    let texture = decode(bytes, &left)?;
+    *taken += texture.size_bytes() as u64;
+    Ok(texture)
+}
+
 fn decode_unguarded(bytes: &[u8], limits: &Limits) -> Result<Texture, Refused> {
     if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
         decode_png(bytes, limits)
@@ -182,6 +194,16 @@ mod tests {
             let check = |packed| check_size((20_000, 20_000), 24, packed, packing, &Limits::default());
             assert!(check(1 << 20).is_err() && check(1 << 24).is_ok());
         }
+    }
+
+    #[cfg(feature = "mesh")]
+    #[test]
+    fn pictures_together_take_no_more_than_one_may() {
+        let (bytes, limits, mut taken) = (png_of(16, 16, &[7; 768]), Limits { bytes: 2000, ..Limits::default() }, 0);
+        assert!(decode_another(&bytes, &mut taken, &limits).is_ok());
+        assert!((1024..2000).contains(&taken), "{taken}");
+        let second = decode_another(&bytes, &mut taken, &limits);
+        assert!(matches!(second, Err(Refused::TooLarge { .. })));
     }
 
     #[test]

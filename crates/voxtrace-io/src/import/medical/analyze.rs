@@ -16,8 +16,7 @@ pub(super) fn settle(header: &mut Header, fields: &Fields) {
     let is_said = origin != DVec3::ZERO && origin.cmpgt(-size).all() && origin.cmplt(size * 2.0).all();
     // SPM counts from 1 on.
     let origin = if is_said { origin - 1.0 } else { (size - 1.0) / 2.0 };
-    let spacing = DVec3::select(header.spacing.cmpgt(DVec3::ZERO), header.spacing, DVec3::ONE);
     // In the axes of NIfTI, right, front and head.
-    let matrix3 = DMat3::from_diagonal(spacing * DVec3::new(-1.0, 1.0, 1.0));
+    let matrix3 = DMat3::from_diagonal(header.spacing * DVec3::new(-1.0, 1.0, 1.0));
     header.nifti_from_index = DAffine3 { matrix3, translation: matrix3 * -origin };
 }

@@ -241,6 +241,8 @@ impl Header {
         let time_points = size_along(4)?;
         let vectors = size_along(5)?.saturating_mul(size_along(6)?).saturating_mul(size_along(7)?);
         let spacing = DVec3::new(real(76, 104, 1), real(76, 104, 2), real(76, 104, 3)).abs();
+        // Pictures alone often have nothing for their third axis (nifti1_io takes 1 there too).
+        let spacing = DVec3::select(spacing.cmpgt(DVec3::ZERO), spacing, DVec3::ONE);
         let start = if is_second { fields.int(168, 8) } else { f64::from(fields.f32(108)) as i64 };
         // Some writers leave 0: samples follow the header and its four bytes of extension.
         let least = if is_pair { 0 } else { (if is_second { HEADER_2 } else { HEADER_1 }) as i64 + 4 };
@@ -351,5 +353,39 @@ impl Fields<'_> {
 
     fn text(&self, at: usize) -> &[u8] {
         self.header.get(at..at + 3).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_alone_lies_as_its_quaternion_says_also_without_a_third_spacing() {
+        let mut bytes = vec![0u8; 352];
+        let mut put = |at: usize, own: &[u8]| bytes[at..at + own.len()].copy_from_slice(own);
+        put(0, &348u32.to_le_bytes());
+        for (n, size) in [3i16, 2, 1, 1, 1, 1, 1, 1].into_iter().enumerate() {
+            put(40 + 2 * n, &size.to_le_bytes());
+        }
+        put(70, &2i16.to_le_bytes());
+        for (n, spacing) in [1f32, 2.0, 3.0, 0.0].into_iter().enumerate() {
+            put(76 + 4 * n, &spacing.to_le_bytes());
+        }
+        put(108, &352f32.to_le_bytes());
+        put(123, &[2]);
+        put(252, &1i16.to_le_bytes());
+        // A quarter of a turn around z.
+        put(264, &std::f32::consts::FRAC_1_SQRT_2.to_le_bytes());
+        put(344, b"n+1\0");
+        bytes.extend([1, 2]);
+        let (options, path) = (ImportOptions::default(), Path::new("a.nii"));
+        let input = Input::of_bytes(&bytes, path, &options.limits).unwrap();
+        let volume = stored(input, &Folder::none(), &options).unwrap().read(&options).unwrap();
+        let axes = volume.world_from_index.matrix3;
+        let wanted = [DVec3::new(0.0, -2.0, 0.0), DVec3::new(3.0, 0.0, 0.0), DVec3::Z];
+        let pairs = [axes.x_axis, axes.y_axis, axes.z_axis].into_iter().zip(wanted);
+        assert!(pairs.clone().all(|(a, b)| (a - b).length() < 1e-6), "{axes}");
+        assert!(volume.notes.is_empty(), "{:?}", volume.notes);
     }
 }

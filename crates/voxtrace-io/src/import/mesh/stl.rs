@@ -66,13 +66,17 @@ fn is_text(input: &mut Input) -> Result<bool, ImportError> {
 
 fn read_binary(input: &mut Input, limits: &Limits, mesh: &mut Mesh) -> Result<(), ImportError> {
     let (mut left, paint) = announced(input, limits)?;
+    let mut has_attributes = false;
     if input.remaining().is_some() {
         mesh.positions.reserve_exact(left * 3);
     }
     while left > 0 {
         let now = left.min(CHUNK);
-        take_triangles(input, now, paint, mesh)?;
+        has_attributes |= take_triangles(input, now, paint, mesh)?;
         left -= now;
+    }
+    if let (Paint::Magics(color), false) = (paint, has_attributes) {
+        mesh.colors.fill(linear_color(color).extend(1.0));
     }
     if !mesh.colors.is_empty() {
         mesh.materials[0].base_color = Vec4::ONE;
@@ -88,6 +92,8 @@ enum Paint {
     /// Red, green and blue from the lowest, the 5th and the 10th bit on. Where the highest one is set, the header says the colour; since some
     /// programs (VCGlib) set it always, only where all the others are alike.
     Magics([u8; 3]),
+    /// The colour of such a header, of all triangles: where every attribute is 0, nobody has written any.
+    All([u8; 3]),
 }
 
 impl Paint {
@@ -101,6 +107,7 @@ impl Paint {
     fn color(self, attribute: u16) -> Option<[u8; 3]> {
         let channels = [10, 5, 0].map(|shift| ((attribute >> shift & 31) * 255 / 31) as u8);
         match (self, attribute >> 15) {
+            (Self::All(color), _) => Some(color),
             (Self::VisCam, 0) => None,
             (Self::VisCam, _) => Some(channels),
             (Self::Magics(color), 1) if matches!(attribute & 0x7fff, 0 | 0x7fff) => Some(color),
@@ -129,9 +136,10 @@ fn plain() -> Vec4 {
     linear_color(MeshMaterial::default().base_color.truncate().to_array().map(srgb_from_linear)).extend(1.0)
 }
 
-/// Takes triangles of a binary file. Colours begin with the first triangle that has one.
-fn take_triangles(input: &mut Input, count: usize, paint: Paint, mesh: &mut Mesh) -> Result<(), ImportError> {
+/// Takes triangles of a binary file, and says whether any has an attribute. Colours begin with the first triangle that has one.
+fn take_triangles(input: &mut Input, count: usize, paint: Paint, mesh: &mut Mesh) -> Result<bool, ImportError> {
     let (path, start, plain) = (input.path(), input.offset(), plain());
+    let mut has_attributes = false;
     let records = input.take(count * RECORD, "a triangle")?;
     for (index, record) in records.chunks_exact(RECORD).enumerate() {
         for corner in record[12..48].chunks_exact(12) {
@@ -143,19 +151,22 @@ fn take_triangles(input: &mut Input, count: usize, paint: Paint, mesh: &mut Mesh
             }
             mesh.positions.push(corner);
         }
-        let color = paint.color(u16::from_le_bytes([record[48], record[49]]));
+        let attribute = u16::from_le_bytes([record[48], record[49]]);
+        has_attributes |= attribute != 0;
+        let color = paint.color(attribute);
         if color.is_some() || !mesh.colors.is_empty() {
             mesh.colors.resize(mesh.positions.len() - 3, plain);
             mesh.colors.extend([color.map_or(plain, |color| linear_color(color).extend(1.0)); 3]);
         }
     }
-    Ok(())
+    Ok(has_attributes)
 }
 
 /// The triangles of a binary STL file larger than memory.
 struct StlTriangles {
     path: PathBuf,
     count: usize,
+    paint: Paint,
     is_colored: bool,
     frame: Mesh,
 }
@@ -167,20 +178,25 @@ impl StlTriangles {
         if input.remaining().is_none() || is_text(&mut input)? {
             return Ok(None);
         }
-        let (count, paint) = announced(&mut input, &UNBOUNDED)?;
-        let (mut left, mut is_colored) = (count, false);
-        while left > 0 && !is_colored {
+        let (count, mut paint) = announced(&mut input, &UNBOUNDED)?;
+        let (mut left, mut is_colored, mut has_attributes) = (count, false, false);
+        while left > 0 && !(is_colored && has_attributes) {
             let now = left.min(CHUNK);
             let records = input.take(now * RECORD, "a triangle")?;
-            let color = |record: &[u8]| paint.color(u16::from_le_bytes([record[48], record[49]]));
-            is_colored = records.chunks_exact(RECORD).any(|record| color(record).is_some());
+            let mut attributes =
+                records.chunks_exact(RECORD).map(|record| u16::from_le_bytes([record[48], record[49]]));
+            is_colored |= attributes.clone().any(|attribute| paint.color(attribute).is_some());
+            has_attributes |= attributes.any(|attribute| attribute != 0);
             left -= now;
+        }
+        if let (Paint::Magics(color), false) = (paint, has_attributes) {
+            paint = Paint::All(color);
         }
         let mut frame = Mesh::new("");
         if is_colored {
             frame.materials[0].base_color = Vec4::ONE;
         }
-        Ok((count > 0).then(|| Self { path: path.into(), count, is_colored, frame }))
+        Ok((count > 0).then(|| Self { path: path.into(), count, paint, is_colored, frame }))
     }
 
     /// Bytes that the mesh would take in memory.
@@ -213,12 +229,12 @@ impl TriangleSource for StlTriangles {
 
     fn for_each(&mut self, each: &mut dyn FnMut(&Mesh) -> bool) -> Result<(), ImportError> {
         let mut input = Input::open(&self.path, &UNBOUNDED)?;
-        let (mut left, paint) = announced(&mut input, &UNBOUNDED)?;
+        let (mut left, _) = announced(&mut input, &UNBOUNDED)?;
         let mut piece = self.frame.clone();
         while left > 0 {
             let now = left.min(8 * CHUNK);
             piece.clear();
-            take_triangles(&mut input, now, paint, &mut piece)?;
+            take_triangles(&mut input, now, self.paint, &mut piece)?;
             if self.is_colored && piece.colors.is_empty() {
                 piece.colors.resize(piece.positions.len(), plain());
             }
@@ -328,12 +344,14 @@ mod tests {
             bytes
         };
         let (plain, blue, red) = (plain(), Vec4::new(0.0, 0.0, 1.0, 1.0), Vec4::new(1.0, 0.0, 0.0, 1.0));
-        let header = linear_color([1, 2, 3]).extend(1.0);
+        let (header, black) = (linear_color([1, 2, 3]).extend(1.0), Vec4::new(0.0, 0.0, 0.0, 1.0));
         let magics = b"a program COLOR=\x01\x02\x03\xff";
-        let cases: [(&[u8], [u16; 3], [Vec4; 3]); 3] = [
+        let cases: [(&[u8], [u16; 3], [Vec4; 3]); 5] = [
             (b"", [0, 0x801f, 0xfc00], [plain, blue, red]),
             (magics, [0x001f, 0x7c00, 0xffff], [red, blue, header]),
             (magics, [0x801f, 0xfc00, 0x8000], [red, blue, header]),
+            (magics, [0, 0, 0x001f], [black, black, red]),
+            (magics, [0, 0, 0], [header, header, header]),
         ];
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.stl");

@@ -8,7 +8,7 @@ use super::voxels::{Blocks, Fineness};
 use crate::import::grids::checked_size;
 use crate::import::reader::ImportOptions;
 use crate::import::source::inflate::GZIP;
-use crate::import::source::input::Input;
+use crate::import::source::input::{Input, beyond};
 use flate2::bufread::{GzDecoder, MultiGzDecoder, ZlibDecoder};
 use std::io::Read;
 use std::path::Path;
@@ -137,7 +137,7 @@ impl Build<'_> {
         let edge = size.into_iter().max().unwrap_or(0) as u64 * blocks.edge() as u64;
         if edge > MAX_COORDINATE as u64 {
             let most = MAX_COORDINATE as u64;
-            return Err(ImportError::limit(self.path, Some(self.offset), "voxels along an edge", edge, most));
+            return Err(beyond(self.path, Some(self.offset), "voxels along an edge", edge, most));
         }
         let grid = blocks.grid(Places::of_box(size, state_at), self.path, self.limits)?;
         Ok(scene.add_instance(grid, Transform::IDENTITY))

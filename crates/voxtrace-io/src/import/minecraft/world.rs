@@ -4,7 +4,7 @@ use super::build::{self, is_damage};
 use super::region;
 use crate::import::reader::{ImportOptions, Voxels};
 use crate::import::source::folder::Folder;
-use crate::import::source::input::Input;
+use crate::import::source::input::{Input, beyond};
 use glam::IVec2;
 use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::Scene;
@@ -67,7 +67,7 @@ pub(super) fn read_world(folder: &Path, options: &ImportOptions) -> Result<Voxel
     };
     if (max - min).max_element() > FARTHEST {
         let far = u64::from((max - min).max_element().unsigned_abs());
-        return Err(ImportError::limit(folder, None, "regions along an axis", far + 1, FARTHEST as u64 + 1));
+        return Err(beyond(folder, None, "regions along an axis", far + 1, FARTHEST as u64 + 1));
     }
     let (mut scene, mut blocks) = (Scene::new(""), build::blocks(options)?);
     let (mut count, mut faults) = (0, Vec::new());

@@ -52,9 +52,10 @@ fn recognize(clues: &FileClues) -> Recognition {
         without_mark(clues.head).split(|&byte| byte == b'\n').take(if is_whole { usize::MAX } else { ends.max(1) });
     for line in lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty()) {
         let comment = comment_of(line);
-        if parse(&plain(line), &mut row) && row.len() >= 3 {
+        let is_row = parse(&plain(line), &mut row, true);
+        if is_row && row.len() >= 3 {
             rows += 1;
-        } else {
+        } else if !is_row || !row.is_empty() {
             has_names |= is_first && Columns::named(comment.unwrap_or(line)).is_some();
             if comment.is_none() && !(is_first && (row.len() == 1 || has_names)) {
                 return Recognition::Unknown;
@@ -75,7 +76,7 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     let is_pts = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pts"));
     let mut cloud = PointCloud::default();
     let mut local_origin = LocalOrigin::default();
-    let mut columns = None;
+    let (mut columns, mut is_in_comment, mut is_counted) = (None::<Columns>, false, false);
     let mut colors: Vec<[f32; 3]> = Vec::new();
     let mut intensities: Vec<f32> = Vec::new();
     let (mut row, mut left_out) = (Vec::with_capacity(COLUMNS), 0u64);
@@ -88,9 +89,10 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
         if text.is_empty() {
             continue;
         }
-        if comment.is_some() || !parse(text, &mut row) {
+        let has_names = columns.is_some() && !is_counted;
+        if comment.is_some() || !parse(text, &mut row, has_names) {
             if columns.is_none() && cloud.positions.is_empty() {
-                columns = Columns::named(comment.unwrap_or(text));
+                (columns, is_in_comment) = (Columns::named(comment.unwrap_or(text)), comment.is_some());
                 if comment.is_some() || columns.is_some() {
                     continue;
                 }
@@ -104,12 +106,27 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
             };
             return Err(ImportError::malformed(path, start, what));
         }
+        // Spreadsheets end in rows of nothing but commas.
+        if row.is_empty() {
+            continue;
+        }
         // Some programs say first how many points follow.
         if row.len() == 1 && cloud.positions.is_empty() {
             continue;
         }
+        let has_end = text.ends_with(b",") || text.ends_with(b";");
+        let is_short = |columns: Columns| row.len() <= columns.highest() && !has_end;
+        // A comment with these words in it need not be their names.
+        if is_in_comment && cloud.positions.is_empty() && columns.is_some_and(is_short) {
+            columns = None;
+            parse(text, &mut row, false);
+        }
+        is_counted |= columns.is_none();
         let columns = *columns.get_or_insert_with(|| Columns::counted(&row, is_pts));
         let highest = columns.highest();
+        if row.len() <= highest && has_end {
+            row.resize(highest + 1, f64::NAN);
+        }
         if row.len() <= highest {
             let what = format!("a line of {} numbers where {} are needed", row.len(), highest + 1);
             return Err(ImportError::malformed(path, start, what));
@@ -124,7 +141,8 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
         }
         cloud.positions.push(placed);
         if let Some(color) = columns.color {
-            let color = color.map(|column| row[column] as f32);
+            // An empty cell is dark.
+            let color = color.map(|column| row[column] as f32).map(|value| if value.is_nan() { 0.0 } else { value });
             is_fraction &= color.iter().all(|&value| value <= 1.0);
             colors.push(color);
         }
@@ -169,8 +187,13 @@ fn bytes_of(colors: &[[f32; 3]], is_fraction: bool) -> Vec<[u8; 3]> {
     colors.iter().map(|color| color.map(byte)).collect()
 }
 
+/// What stands between commas and semicolons, which may be nothing.
+fn cells(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(|byte| matches!(byte, b',' | b';')).map(<[u8]>::trim_ascii)
+}
+
 fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
-    text.split(|byte| matches!(byte, b' ' | b'\t' | b',' | b';')).filter(|word| !word.is_empty())
+    text.split(|byte| matches!(byte, b' ' | b'\t')).filter(|word| !word.is_empty())
 }
 
 /// A line with decimal points: where semicolons or spaces part numbers, a comma between two digits is a decimal one.
@@ -192,24 +215,56 @@ fn plain(text: &[u8]) -> Cow<'_, [u8]> {
     text.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect::<Vec<u8>>().into()
 }
 
-/// The numbers of a line, `false` where anything else stands there.
-fn parse(text: &[u8], row: &mut Vec<f64>) -> bool {
+/// The numbers of a line, `false` where anything else stands there. Empty cells are left out, those at the end always; where
+/// `keeps_empty`, one before them is no number, but keeps its column.
+fn parse(text: &[u8], row: &mut Vec<f64>, keeps_empty: bool) -> bool {
     row.clear();
-    words(text).take(COLUMNS).all(|word| {
-        let bare = word.strip_prefix(b"\"").and_then(|word| word.strip_suffix(b"\"")).unwrap_or(word);
-        let number = std::str::from_utf8(bare).ok().and_then(|word| word.parse::<f64>().ok());
-        row.extend(number);
-        number.is_some()
-    })
+    let mut filled = 0;
+    for cell in cells(text) {
+        if cell.is_empty() && keeps_empty {
+            row.push(f64::NAN);
+        }
+        for word in words(cell).take(COLUMNS.saturating_sub(row.len())) {
+            let bare = word.strip_prefix(b"\"").and_then(|word| word.strip_suffix(b"\"")).unwrap_or(word);
+            if bare.is_empty() {
+                row.extend(keeps_empty.then_some(f64::NAN));
+                continue;
+            }
+            let number = std::str::from_utf8(bare).ok().and_then(|word| word.parse::<f64>().ok());
+            let Some(number) = number else { return false };
+            row.push(number);
+            filled = row.len();
+        }
+        if row.len() >= COLUMNS {
+            break;
+        }
+    }
+    row.truncate(filled);
+    true
 }
 
 impl Columns {
     /// The columns of a line of names; `None` where x, y and z are not among them.
     fn named(text: &[u8]) -> Option<Self> {
-        let names: Vec<String> = words(text)
-            .take(COLUMNS)
-            .map(|word| String::from_utf8_lossy(word).trim_matches('"').to_ascii_lowercase())
-            .collect();
+        // Where something else parts them, names may have spaces in them, and the one of an index is often empty.
+        let parted: Vec<&[u8]> = if text.iter().any(|byte| matches!(byte, b',' | b';')) {
+            cells(text).take(COLUMNS).collect()
+        } else if text.contains(&b'\t') {
+            let words = text.split(|&byte| byte == b'\t').map(<[u8]>::trim_ascii);
+            words.filter(|word| !word.is_empty()).take(COLUMNS).collect()
+        } else {
+            words(text).take(COLUMNS).collect()
+        };
+        // Spaces may part them as well.
+        Self::of_names(&parted).or_else(|| {
+            let all: Vec<&[u8]> = cells(text).flat_map(words).take(COLUMNS).collect();
+            Self::of_names(&all)
+        })
+    }
+
+    fn of_names(words: &[&[u8]]) -> Option<Self> {
+        let name = |word: &&[u8]| String::from_utf8_lossy(word).trim_matches('"').to_ascii_lowercase();
+        let names: Vec<String> = words.iter().map(name).collect();
         let find = |wanted: &[&str]| names.iter().position(|name| wanted.contains(&name.as_str()));
         let three = |x: Option<usize>, y: Option<usize>, z: Option<usize>| Some([x?, y?, z?]);
         Some(Self {
@@ -274,6 +329,38 @@ mod tests {
     }
 
     #[test]
+    fn empty_cells_keep_their_columns_and_names_their_spaces() {
+        // As pandas writes it: the index has no name.
+        let indexed = cloud("a.csv", ",x,y,z\n0,1,2,3\n1,4,5,6\n");
+        assert_eq!(
+            indexed.positions.iter().map(|at| at.to_array()).collect::<Vec<_>>(),
+            [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]
+        );
+        let spaced = "Point ID;X;Y;Z;Scan angle;Intensity\n7;1;2;3;;9\n\"\";4;5;6;1;\n8;7;;9;1;1\n;;;;;\n";
+        let points = cloud("a.csv", spaced);
+        assert_eq!((points.positions[1].to_array(), &points.intensities[..]), ([4.0, 5.0, 6.0], &[9, 0][..]));
+        assert!(points.notes.len() == 1 && points.notes[0].contains("1 points"), "{:?}", points.notes);
+        assert_eq!(cloud("a.txt", "Point ID\tX\tY\tZ\n7\t1\t2\t3\n").positions[0].to_array(), [1.0, 2.0, 3.0]);
+        let told = cloud("a.xyz", "# the format: x y z r g b\n1 2 3 9 8 7\n");
+        assert_eq!((told.positions[0].to_array(), &told.colors[..]), ([1.0, 2.0, 3.0], &[[9, 8, 7]][..]));
+        // Names that spaces part too.
+        for (names, row) in [
+            ("x y z, r g b", "1 2 3, 9 8 7"),
+            ("# x y z, r g b", "1 2 3 9 8 7"),
+            ("X Y Z R G B;", "1 2 3 9 8 7;"),
+            ("X\tY Z\tR G B", "1\t2 3\t9 8 7"),
+        ] {
+            let points = cloud("a.xyz", &format!("{names}\n{row}\n"));
+            let found = (points.positions[0].to_array(), &points.colors[..]);
+            assert_eq!(found, ([1.0, 2.0, 3.0], &[[9, 8, 7]][..]), "{names:?}");
+        }
+        // Commas at the end are no columns, and a colour that is missing does not make the others darker.
+        let ended = cloud("a.xyz", "1,2,3,\n4,5,6,\n");
+        assert_eq!((ended.positions.len(), ended.intensities.len()), (2, 0));
+        assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,0.5,1.0,\n4,5,6,,1,0\n").colors, [[128, 255, 0], [0, 255, 0]]);
+    }
+
+    #[test]
     fn without_names_their_number_tells_the_columns() {
         assert_eq!(cloud("a.xyz", "1 2 3 200 100 50\n").colors[0], [200, 100, 50]);
         assert_eq!(cloud("a.xyz", "1 2 3 0.5 -0.5 0.7\n").colors.len(), 0);
@@ -281,6 +368,12 @@ mod tests {
         assert_eq!((points.colors[0], points.intensities[1], points.positions.len()), ([200, 100, 50], 13, 2));
         assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,0.5,1.0,0\n").colors[0], [128, 255, 0]);
         assert_eq!(cloud("a.csv", "x,y,z,r,g,b\n1,2,3,65535,0,257\n").colors[0], [255, 0, 1]);
+        // Separators too many are no columns.
+        for text in [";1;2;3\n;4;5;6\n", "1,,2,,3\n4,,5,,6\n", "# of 2 scans: x y z\n;1;2;3\n;4;5;6\n"] {
+            let points = cloud("a.csv", text);
+            assert_eq!(points.positions.len(), 2, "{text:?}");
+            assert_eq!(points.positions[1].to_array(), [4.0, 5.0, 6.0], "{text:?}");
+        }
     }
 
     #[test]

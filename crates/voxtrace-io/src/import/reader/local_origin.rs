@@ -25,8 +25,11 @@ impl LocalOrigin {
         self.offset
     }
 
-    /// A point relative to the offset, infinite or NaN where it does not fit into f32.
+    /// A point relative to the offset, infinite or NaN where it does not fit into f32. One that is nowhere decides nothing.
     pub fn localized(&mut self, point: DVec3) -> Vec3 {
+        if !point.is_finite() {
+            return Vec3::NAN;
+        }
         let is_far = point.abs().max_element() >= FAR;
         let offset = *self.offset.get_or_insert_with(|| if is_far { point.round() } else { DVec3::ZERO });
         (point - offset).as_vec3()
@@ -59,6 +62,17 @@ mod tests {
         let [a, b] = points.map(|point| local_origin.localized(point));
         assert!(((b.x - a.x) - 0.001).abs() < 1e-6);
         assert_eq!((a.as_dvec3() + local_origin.offset()).y, 5_335_000.5);
+    }
+
+    #[test]
+    fn a_point_that_is_nowhere_does_not_decide_for_the_others() {
+        for nowhere in [DVec3::NAN, DVec3::new(f64::NAN, 5e6, 5e6), DVec3::splat(f64::INFINITY)] {
+            let mut local_origin = LocalOrigin::default();
+            assert!(!local_origin.localized(nowhere).is_finite() && !local_origin.is_set());
+            let point = local_origin.localized(DVec3::new(691_000.125, 5_335_000.5, 512.25));
+            assert_eq!((point, local_origin.offset().x), (Vec3::new(0.125, -0.5, 0.25), 691_000.0));
+            assert!(!local_origin.localized(nowhere).is_finite());
+        }
     }
 
     #[test]

@@ -3,8 +3,9 @@
 //! how much of it there is to be, headers say, and their readers hold that against [`Limits`] before they ask for it.
 
 use crate::import::source::input::Input;
-use flate2::read::{DeflateDecoder, MultiGzDecoder, ZlibDecoder};
-use std::io::{Error, Read, Result};
+use flate2::bufread::GzDecoder;
+use flate2::read::{DeflateDecoder, ZlibDecoder};
+use std::io::{BufRead, BufReader, Error, Read, Result};
 use voxtrace_voxelize::Limits;
 
 /// First bytes of a gzip file (RFC 1952).
@@ -27,7 +28,7 @@ pub(crate) enum Packing {
 /// What comes out of a packed stream.
 pub(crate) enum Decoder<R: Read> {
     Plain(R),
-    Gzip(Box<MultiGzDecoder<R>>),
+    Gzip(Box<Members<R>>),
     Zlib(Box<ZlibDecoder<R>>),
     #[cfg(feature = "volumes")]
     Bzip2(Box<bzip2::read::MultiBzDecoder<R>>),
@@ -38,7 +39,7 @@ impl Packing {
     pub fn decoder<R: Read>(self, stream: R) -> Decoder<R> {
         match self {
             Self::Plain => Decoder::Plain(stream),
-            Self::Gzip => Decoder::Gzip(Box::new(MultiGzDecoder::new(stream))),
+            Self::Gzip => Decoder::Gzip(Box::new(Members(Some(GzDecoder::new(BufReader::new(stream)))))),
             Self::Zlib => Decoder::Zlib(Box::new(ZlibDecoder::new(stream))),
             #[cfg(feature = "volumes")]
             Self::Bzip2 => Decoder::Bzip2(Box::new(bzip2::read::MultiBzDecoder::new(stream))),
@@ -64,6 +65,34 @@ impl<R: Read> Read for Decoder<R> {
             #[cfg(feature = "volumes")]
             Self::Bzip2(stream) => stream.read(buffer),
         }
+    }
+}
+
+/// The members of a gzip file, one after the other; `None` behind the last. Zeros behind a member only pad the file, as for gzip itself.
+pub(crate) struct Members<R: Read>(Option<GzDecoder<BufReader<R>>>);
+
+impl<R: Read> Read for Members<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        while let Some(member) = &mut self.0 {
+            let count = member.read(buffer)?;
+            if count > 0 || buffer.is_empty() {
+                return Ok(count);
+            }
+            let Some(mut rest) = self.0.take().map(GzDecoder::into_inner) else { break };
+            loop {
+                let bytes = rest.fill_buf()?;
+                let (zeros, all) = (bytes.iter().take_while(|&&byte| byte == 0).count(), bytes.len());
+                rest.consume(zeros);
+                if all == 0 {
+                    return Ok(0);
+                }
+                if zeros < all {
+                    break;
+                }
+            }
+            self.0 = Some(GzDecoder::new(rest));
+        }
+        Ok(0)
     }
 }
 
@@ -104,6 +133,19 @@ mod tests {
         let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
         encoder.write_all(bytes).unwrap();
         encoder.finish().unwrap()
+    }
+
+    #[test]
+    fn members_follow_each_other_and_zeros_behind_them_only_pad_the_file() {
+        let (limits, one, two) = (Limits::default(), zipped(b"one"), zipped(b"two"));
+        let read = |parts: &[&[u8]]| {
+            let bytes = parts.concat();
+            gunzip(Input::of_bytes(&bytes, Path::new("a.gz"), &limits).unwrap(), &limits).rest()
+        };
+        assert_eq!(read(&[&one, &two]).unwrap(), b"onetwo");
+        assert_eq!(read(&[&one, &two, &[0; 20_000]]).unwrap(), b"onetwo");
+        assert!(read(&[&one, b"other"]).is_err() && read(&[&one, &[0; 3], &two[..9]]).is_err());
+        assert!(read(&[&one[..one.len() - 1]]).is_err());
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::watch::{Watch, Watched};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
-use voxtrace_voxelize::{ImportError, Limits, Stopped};
+use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits, Stopped};
 
 /// Bytes read at once.
 const WINDOW: usize = 1 << 18;
@@ -17,6 +17,12 @@ const LONGEST: usize = 1 << 26;
 /// A text without the mark by which programs of Windows tell UTF-8.
 pub(crate) fn without_mark(text: &[u8]) -> &[u8] {
     text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
+}
+
+/// The error of what is larger than a bound that is none of [`Limits`], so that nobody is told to lift it.
+pub(crate) fn beyond(path: &Path, offset: Option<u64>, what: &str, value: u64, most: u64) -> ImportError {
+    let kind = ImportErrorKind::Unsupported(format!("{what}: {value} is more than the fixed limit of {most}"));
+    ImportError::of_file(path, kind).with_offset(offset)
 }
 
 /// A file or bytes, to be read in any order.
@@ -192,7 +198,7 @@ impl<'a> Input<'a> {
     /// Takes `count` bytes, which are part of `what`.
     pub fn take(&mut self, count: usize, what: &str) -> Result<&[u8], ImportError> {
         if count > LONGEST {
-            return Err(ImportError::limit(self.path, Some(self.offset), what, count as u64, LONGEST as u64));
+            return Err(beyond(self.path, Some(self.offset), what, count as u64, LONGEST as u64));
         }
         self.fill(count)?;
         let start = self.start;
@@ -249,7 +255,7 @@ impl<'a> Input<'a> {
             }
             if searched > LONGEST {
                 let at = Some(self.offset);
-                return Err(ImportError::limit(self.path, at, "bytes in a line", searched as u64, LONGEST as u64));
+                return Err(beyond(self.path, at, "bytes in a line", searched as u64, LONGEST as u64));
             }
             self.fill(searched.max(WINDOW / 2) * 2)?;
         };

@@ -78,7 +78,9 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
     let (mut channel, mut note) = (options.channel, None);
     let mut behind = Cow::Borrowed(options);
     if is_time {
+        // Each time point has one number at a place, whichever way it is asked for.
         let number = options.time.or(options.channel);
+        channels::chosen(options.time.and(options.channel), 1, "channel").map_err(unsupported)?;
         let (place, said) = channels::entry(number, components, "time point", "--time").map_err(unsupported)?;
         (channel, note, behind.to_mut().time) = (Some(place as u32 + 1), said, None);
     }
@@ -314,15 +316,17 @@ mod tests {
 
     #[test]
     fn time_as_the_first_axis_is_chosen_like_time_as_the_last() {
-        let read = |kind: &str, time| {
+        let read_channel = |kind: &str, time, channel| {
             let text = format!(
                 "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 3 2 1 1\nencoding: raw\nkinds: {kind} domain domain domain\n\n\
                 \u{1}\u{2}\u{3}\u{4}\u{5}\u{6}"
             );
-            let (options, path) = (ImportOptions { time, ..ImportOptions::default() }, Path::new("a.nrrd"));
+            let options = ImportOptions { time, channel, ..ImportOptions::default() };
+            let path = Path::new("a.nrrd");
             let input = Input::of_bytes(text.as_bytes(), path, &options.limits).unwrap();
             stored(input, &Folder::none(), &options).and_then(|stored| stored.read(&options))
         };
+        let read = |kind: &str, time| read_channel(kind, time, None);
         for kind in ["list", "time"] {
             let first = read(kind, None).unwrap();
             assert_eq!((first.values, first.colors.len(), first.size), (vec![1.0, 4.0], 0, [2, 1, 1]));
@@ -330,6 +334,9 @@ mod tests {
             let third = read(kind, Some(3)).unwrap();
             assert_eq!((third.values, third.notes.len()), (vec![3.0, 6.0], 0));
             assert!(read(kind, Some(4)).unwrap_err().to_string().contains("no time point 4"));
+            assert_eq!(read_channel(kind, None, Some(3)).unwrap().values, [3.0, 6.0]);
+            assert_eq!(read_channel(kind, Some(3), Some(1)).unwrap().values, [3.0, 6.0]);
+            assert!(read_channel(kind, Some(3), Some(2)).unwrap_err().to_string().contains("no channel 2"));
         }
         assert_eq!(read("RGB-color", None).unwrap().colors, [[1, 2, 3], [4, 5, 6]]);
     }

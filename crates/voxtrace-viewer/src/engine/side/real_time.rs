@@ -124,7 +124,7 @@ impl Side {
     }
 
     /// Whether the film alone would be too noisy to be shown.
-    pub(super) fn lacks_samples(&self, view: &View, device: &Device) -> bool {
+    pub(in crate::engine) fn lacks_samples(&self, view: &View, device: &Device) -> bool {
         self.has_real_time(view, device) && self.lacks_film(view)
     }
 

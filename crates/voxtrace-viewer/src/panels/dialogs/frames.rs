@@ -14,12 +14,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
         }
     }
     let clicked = path::show(ui, tr!("dialogs.folder"), &mut dialog.folder, false);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label(tr!("dialogs_frames.name"));
         ui.add(TextEdit::singleline(&mut dialog.name).desired_width(160.0)).labelled_by(label.id);
         ui.label(RichText::new(tr!("dialogs_frames.name_and_on", name = dialog.name)).weak());
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label(tr!("dialogs_frames.seconds"));
         ui.add(DragValue::new(&mut dialog.seconds).range(0.1..=3600.0).speed(0.1)).labelled_by(label.id);
         let label = ui.label(tr!("dialogs_frames.frames_a_second"));
@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
     quality(ui, session, &mut dialog.quality);
     let there = dialog.there();
     if there > 0 {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.label(tr!("dialogs.frames_there", there = there));
             ui.radio_value(&mut dialog.existing, Existing::Keep, tr!("dialogs_frames.keep_them_render_the_others"));
             ui.radio_value(&mut dialog.existing, Existing::Replace, tr!("dialogs_frames.write_over_them"));
@@ -40,7 +40,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
     let missing = busy.or_else(|| dialog.check(session).err());
     let ffmpeg = dialog.ffmpeg();
     let (mut is_command, mut is_ffmpeg) = (false, false);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(tr!("dialogs_frames.then_a_film")).weak());
         is_ffmpeg = ui.button(tr!("dialogs_frames.copy_ffmpeg")).on_hover_text(&ffmpeg).clicked();
     });
@@ -49,7 +49,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut FramesDialog, statu
         is_command = ui.button(tr!("dialogs_frames.copy_its_command")).clicked()
     });
     if is_command {
-        session.copy_command_of(dialog.command(session), tr!("dialogs_frames.copied"));
+        match dialog.settle(session) {
+            Ok(()) => session.copy_command_of(dialog.command(session), tr!("dialogs_frames.copied")),
+            Err(error) => session.say(error, true),
+        }
     }
     if is_ffmpeg {
         session.copy(ffmpeg, tr!("dialogs_frames.ffmpeg_copied"));

@@ -7,14 +7,15 @@ mod plan;
 mod record;
 mod scene;
 
-use super::{Status, under_way};
+use super::{Status, fit, in_sight, under_way};
 use crate::dialogs::{Dialog, PRESETS, Quality, RecordDialog};
 use crate::session::{Command, Session};
 use crate::tr;
 use egui::{Align2, Button, ComboBox, DragValue, Id, Key, ProgressBar, RichText, Ui};
 
-/// Least width of a dialog, points.
+/// Width of a dialog, points, and what its frame takes of that of a smaller window.
 const WIDTH: f32 = 560.0;
+const FRAME: f32 = 24.0;
 
 /// What a click in a dialog asks for.
 enum Click {
@@ -43,17 +44,21 @@ pub fn show(ui: &Ui, session: &mut Session, status: &Status, side: f32) {
         .default_pos(ui.ctx().content_rect().center() - egui::vec2(side / 2.0, 0.0))
         .collapsible(false)
         .resizable(false)
+        .default_height(ui.ctx().content_rect().height())
         .show(ui.ctx(), |ui| {
-            ui.set_min_width(WIDTH);
-            clicked = match &mut dialog {
-                Dialog::Picture(dialog) => picture::show(ui, session, dialog, status),
-                Dialog::Frames(dialog) => frames::show(ui, session, dialog, status),
-                Dialog::Plan(dialog) => plan::show(ui, session, dialog),
-                Dialog::Record(dialog) => record::show(ui, session, dialog, status),
-                Dialog::Save(dialog) => scene::show_save(ui, dialog),
-                Dialog::Open(dialog) => scene::show_open(ui, dialog),
-                Dialog::New(size) => scene::show_new(ui, size),
-            };
+            // All of it is in the window, however small that is: rows wrap.
+            ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - FRAME));
+            in_sight(ui, |ui| {
+                clicked = match &mut dialog {
+                    Dialog::Picture(dialog) => picture::show(ui, session, dialog, status),
+                    Dialog::Frames(dialog) => frames::show(ui, session, dialog, status),
+                    Dialog::Plan(dialog) => plan::show(ui, session, dialog),
+                    Dialog::Record(dialog) => record::show(ui, session, dialog, status),
+                    Dialog::Save(dialog) => scene::show_save(ui, dialog),
+                    Dialog::Open(dialog) => scene::show_open(ui, dialog),
+                    Dialog::New(size) => scene::show_new(ui, size),
+                };
+            });
         });
     match clicked {
         Some(Click::Go) => go(session, dialog),
@@ -108,7 +113,7 @@ fn record_to(session: &mut Session, dialog: &mut RecordDialog) -> Result<(), Str
 /// Size, samples and background.
 fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
     let window = <[u32; 2]>::from(session.size());
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label(tr!("dialogs.size"));
         ui.add(DragValue::new(&mut quality.size[0]).range(1..=65_536)).labelled_by(label.id);
         let label = ui.label("×");
@@ -119,6 +124,7 @@ fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
         } else {
             tr!("dialogs.another_size")
         });
+        fit(ui, ui.spacing().combo_width, tr!("dialogs.preset"));
         ComboBox::from_label(tr!("dialogs.preset")).selected_text(here).show_ui(ui, |ui| {
             for (name, size) in [(tr!("dialogs.size_of_window"), window)].into_iter().chain(PRESETS) {
                 if ui.selectable_label(quality.size == size, name).clicked() {
@@ -127,7 +133,7 @@ fn quality(ui: &mut Ui, session: &Session, quality: &mut Quality) {
             }
         });
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label(tr!("dialogs.samples_a_pixel"));
         ui.add(DragValue::new(&mut quality.samples).range(1..=1 << 20)).labelled_by(label.id);
         ui.checkbox(&mut quality.transparent, tr!("dialogs.transparent_background"));
@@ -163,7 +169,7 @@ fn buttons(ui: &mut Ui, name: &str, missing: Option<&str>, others: impl FnOnce(&
         ui.label(RichText::new(missing).color(super::look::error_color(ui)));
     }
     ui.separator();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         if ui.add_enabled(missing.is_none(), Button::new(name)).clicked() {
             clicked = Some(Click::Go);
         }

@@ -1,20 +1,29 @@
 //! A field for a path with what stands in its folder.
 
+use super::super::text_width;
 use super::Click;
 use crate::dialogs::{MOST_OFFERED, PathField};
 use crate::tr;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
 
-/// Width of the field, points.
+/// Width of the field, points: at most, and at least in a small window.
 const WIDTH: f32 = 420.0;
+const LEAST: f32 = 80.0;
+/// Points of the margins of its text.
+const MARGINS: f32 = 8.0;
 
 /// Shows the field. Enter is the dialog's own button. `lists_files` says whether files of the folder are offered, too.
 pub fn show(ui: &mut Ui, name: &str, field: &mut PathField, lists_files: bool) -> Option<Click> {
     let mut clicked = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label(name);
-        let edit = ui.add(TextEdit::singleline(&mut field.text).desired_width(WIDTH)).labelled_by(label.id);
+        // The button stands beside the field, whatever the language calls it.
+        let spacing = ui.spacing();
+        let gaps = 2.0 * (spacing.button_padding.x + spacing.item_spacing.x) + MARGINS;
+        let left = ui.available_size_before_wrap().x - text_width(ui, tr!("dialogs_path.browse")) - gaps;
+        let edit = TextEdit::singleline(&mut field.text).desired_width(left.clamp(LEAST, WIDTH));
+        let edit = ui.add(edit).labelled_by(label.id);
         if !std::mem::replace(&mut field.is_settled, true) {
             edit.request_focus();
             let end = CCursorRange::one(CCursor::new(field.text.chars().count()));

@@ -10,7 +10,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PictureDialog, stat
     let clicked = path::show(ui, tr!("dialogs.file"), &mut dialog.path, false);
     dialog.take_kind_of_path();
     let kind = dialog.kind();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for own in PictureKind::ALL {
             if ui.radio(kind == Some(own), own.name()).clicked() {
                 dialog.set_kind(own);

@@ -9,7 +9,7 @@ use egui::{RichText, Ui};
 pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut PlanDialog) -> Option<Click> {
     let clicked = path::show(ui, tr!("dialogs_plan.plan"), &mut dialog.plan, true);
     dialog.name_folder();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let label = ui.label(tr!("dialogs_plan.report"));
         ui.add(egui::TextEdit::singleline(&mut dialog.folder.text).desired_width(420.0)).labelled_by(label.id);
     });

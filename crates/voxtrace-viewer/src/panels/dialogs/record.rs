@@ -9,7 +9,7 @@ use egui::{RichText, Ui};
 pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut RecordDialog, status: &Status) -> Option<Click> {
     let clicked = path::show(ui, tr!("dialogs.file"), &mut dialog.path, false);
     let kind = dialog.kind();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for own in RecordKind::ALL {
             if ui.radio(kind == Some(own), own.name()).clicked() {
                 dialog.set_kind(own);
@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, dialog: &mut RecordDialog, statu
     ui.label(RichText::new(text).weak());
     let there = dialog.there(frames);
     if there > 0 {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if kind.is_some_and(RecordKind::is_frames) {
                 ui.label(tr!("dialogs.frames_there", there = there));
                 if ui.radio(dialog.keeps, tr!("dialogs_record.keep")).clicked() {

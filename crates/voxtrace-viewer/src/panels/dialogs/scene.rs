@@ -11,7 +11,7 @@ pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
     let clicked = path::show(ui, tr!("dialogs.file"), &mut dialog.path, false);
     let ending = dialog.ending();
     for (own, about) in SCENE_KINDS {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if ui.radio(ending == own, format!(".{own}")).clicked() {
                 dialog.set_ending(own);
             }
@@ -27,7 +27,7 @@ pub fn show_save(ui: &mut Ui, dialog: &mut SaveDialog) -> Option<Click> {
 
 pub fn show_new(ui: &mut Ui, size: &mut [u32; 3]) -> Option<Click> {
     ui.label(tr!("dialogs_new.about"));
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for (name, side) in ["x", "y", "z"].into_iter().zip(size) {
             let label = ui.label(name);
             ui.add(DragValue::new(side).range(1..=LARGEST)).labelled_by(label.id);

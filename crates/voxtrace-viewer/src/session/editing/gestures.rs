@@ -264,6 +264,10 @@ impl Session {
         if material == Some(spot.material) {
             return self.say(tr!("edit.same_material"), false);
         }
+        // A box that was selected before, and may be out of sight, is why nothing would come of it.
+        if editing.selection.is_some_and(|own| own.grid == spot.grid) && !within.contains(spot.voxel) {
+            return self.say(tr!("edit.beside_selection"), false);
+        }
         let edit = Edit::Flood { start: spot.voxel, material, within, most: MOST_FILLED };
         let edits = self.symmetry_at(spot).edits(&[edit]);
         self.send_job(Job::Edit { grid: spot.grid, edits, name: tr!("edit.fill"), joins: false });

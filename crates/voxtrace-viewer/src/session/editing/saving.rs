@@ -150,8 +150,14 @@ impl Session {
             let untitled = self.open.as_mut().filter(|open| open.source == crate::canvas::NAME);
             let gets_place = untitled.map(|open| open.source = saving.path.display().to_string()).is_some();
             editing.saved = Some(saving);
+            let has_failed = editing.has_failed;
             if gets_place {
                 self.keep_measures();
+            }
+            if has_failed {
+                // What it asked for was done.
+                let before = tr!("edit.cannot", reason = tr!("edit.fault"));
+                self.say_instead(&[&before], tr!("edit.cannot", reason = tr!("edit.fault_saved")));
             }
         }
         if std::mem::take(&mut self.is_leaving_saved)

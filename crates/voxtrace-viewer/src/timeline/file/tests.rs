@@ -5,7 +5,7 @@ use std::fs;
 use voxtrace::camera::Lens;
 use voxtrace::glam::Vec3;
 
-const NONE: Cameras = Cameras { of_scene: &[], bookmarks: None };
+const NONE: Cameras = Cameras { of_scene: &[], bookmarks: None, scene: None };
 
 fn timeline() -> Timeline {
     let mut timeline = Timeline::default();
@@ -97,7 +97,7 @@ fn cameras_are_found_by_name_and_among_the_bookmarks() {
     )
     .unwrap();
     let mut timeline = Timeline::default();
-    let cameras = Cameras { of_scene: std::slice::from_ref(&side), bookmarks: Some(bookmarks) };
+    let cameras = Cameras { of_scene: std::slice::from_ref(&side), bookmarks: Some(bookmarks), scene: None };
     timeline.open(&path, &cameras).unwrap();
     let keys = &timeline.course.keys;
     assert_eq!((&keys[0].camera, &keys[1].camera), (&plain, &Camera { fov_y: 20.0, ..kept }));

@@ -68,7 +68,7 @@ impl Hand {
             if is_so(&self.session) {
                 return;
             }
-            self.woken.recv_timeout(Duration::from_secs(60)).unwrap_or_else(|_| panic!("{what} did not come"));
+            self.woken.recv_timeout(Duration::from_secs(300)).unwrap_or_else(|_| panic!("{what} did not come"));
         }
     }
 

@@ -18,10 +18,15 @@ pub fn panels<'a>(session: Session, status: Status) -> Harness<'a, Session> {
 
 /// Panels of a window of 600 × 400 points.
 pub fn small_panels<'a>(session: Session) -> Harness<'a, Session> {
+    sized_panels(session, [600.0, 400.0])
+}
+
+/// Panels of a window of so many points.
+pub fn sized_panels<'a>(session: Session, size: [f32; 2]) -> Harness<'a, Session> {
     let show = |ui: &mut egui::Ui, session: &mut Session| {
         panels::show(ui, session, &Status::default());
     };
-    let mut harness = Harness::builder().with_size([600.0, 400.0]).build_ui_state(show, session);
+    let mut harness = Harness::builder().with_size(size).build_ui_state(show, session);
     harness.run_steps(3);
     harness
 }

@@ -136,9 +136,20 @@ fn directions(file: &File, frame: usize) -> (DVec3, DVec3) {
     (x, y)
 }
 
+/// How far directions are apart, by their most different coordinate.
+fn apart(one: (DVec3, DVec3), other: (DVec3, DVec3)) -> f64 {
+    (one.0 - other.0).abs().max((one.1 - other.1).abs()).max_element()
+}
+
 /// Whether directions are one, but for the last digits that files round them to.
 fn are_alike(one: (DVec3, DVec3), other: (DVec3, DVec3)) -> bool {
-    (one.0 - other.0).abs().max((one.1 - other.1).abs()).max_element() < 1e-3
+    apart(one, other) < 1e-3
+}
+
+/// Which of some directions these are: of several that are alike the nearest, since those two need not be one.
+fn place_of(own: (DVec3, DVec3), all: impl Iterator<Item = (DVec3, DVec3)>) -> Option<usize> {
+    let alike = all.enumerate().filter(|&(_, other)| are_alike(own, other));
+    alike.min_by(|a, b| apart(own, a.1).total_cmp(&apart(own, b.1))).map(|(place, _)| place)
 }
 
 /// How far columns, rows and slices of a frame are apart, in millimetres, where it says so.

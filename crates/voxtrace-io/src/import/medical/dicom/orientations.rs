@@ -1,6 +1,6 @@
 //! Frames in several directions, as localizers have them: those in one direction are a stack, and one stack is read.
 
-use super::are_alike;
+use super::place_of;
 use super::stack::Slice;
 
 /// The slices in one direction, and what there is to say about the others. `wanted` is the number of the stack, from 1 on in the order
@@ -8,8 +8,8 @@ use super::stack::Slice;
 pub(super) fn choose(slices: Vec<Slice>, wanted: Option<i64>) -> Result<(Vec<Slice>, Option<String>), String> {
     let mut stacks: Vec<Vec<Slice>> = Vec::new();
     for slice in slices {
-        match stacks.iter_mut().find(|stack| are_alike(stack[0].directions, slice.directions)) {
-            Some(stack) => stack.push(slice),
+        match place_of(slice.directions, stacks.iter().map(|stack| stack[0].directions)) {
+            Some(place) => stacks[place].push(slice),
             None => stacks.push(vec![slice]),
         }
     }
@@ -81,5 +81,15 @@ mod tests {
         let (stack, note) = choose(slices.into(), None).unwrap();
         assert_eq!(stack.len(), 3);
         assert!(note.is_some_and(|note| note.contains("2 directions")));
+        // What is like two that are not alike belongs to the nearer.
+        let slices = [0.0, 0.0018, 0.000_95].map(|sine| Slice {
+            position: None,
+            directions: turned(sine),
+            number: 0.0,
+            frame: 0,
+            values: vec![sine as f32],
+        });
+        let (stack, _) = choose(slices.into(), None).unwrap();
+        assert_eq!(stack.iter().map(|slice| slice.values[0]).collect::<Vec<_>>(), [0.0018, 0.000_95]);
     }
 }

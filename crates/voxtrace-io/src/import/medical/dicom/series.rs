@@ -3,7 +3,7 @@
 use super::elements::File;
 use super::pixels::Layout;
 use super::tag;
-use super::{MAGIC, READER, are_alike, directions, slices, volume};
+use super::{MAGIC, READER, are_alike, directions, place_of, slices, volume};
 use crate::import::reader::{FolderClues, ImportOptions, clues};
 use crate::import::samples::checked_size;
 use crate::import::source::Source;
@@ -134,7 +134,8 @@ fn read_series(
         match head {
             Ok((key, file, frames)) => {
                 let alike = stacks.entry((key.series.clone(), key.size)).or_default();
-                let place = alike.iter().position(|(own, _)| own.is_same(&key)).unwrap_or(alike.len());
+                let known = alike.iter().map(|(own, _)| own.directions);
+                let place = place_of(key.directions, known).unwrap_or(alike.len());
                 if place == alike.len() {
                     alike.push((key, Stack::default()));
                 }
@@ -154,8 +155,12 @@ fn read_series(
     }
     let stacks: Vec<(Key, Stack)> = stacks.into_values().flatten().collect();
     let count = stacks.len();
+    // A file that was named is in one of them; directions alone may fit two.
+    let has_asked = |stack: &Stack| stack.files.iter().any(|file| file.file_name() == path.file_name());
+    let is_found = wanted.is_some() && stacks.iter().any(|(_, stack)| has_asked(stack));
     let fits = |key: &Key, stack: &Stack| {
-        wanted.is_none_or(|wanted| wanted.is_same(key)) && (number.is_none() || stack.number == number)
+        let is_wanted = |wanted: &Key| if is_found { has_asked(stack) } else { wanted.is_same(key) };
+        wanted.is_none_or(is_wanted) && (number.is_none() || stack.number == number)
     };
     let mut found: Option<Stack> = None;
     let mut left_out = Vec::new();

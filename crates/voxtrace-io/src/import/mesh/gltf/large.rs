@@ -95,6 +95,9 @@ impl GltfTriangles {
             return Ok(None);
         }
         source.set_local_origin()?;
+        if !source.local_origin.is_set() {
+            return Ok(None);
+        }
         frame.offset = source.local_origin.offset();
         frame.cameras.extend(cameras_at(&found, frame.offset).map(|(camera, _)| camera));
         frame.notes.extend(note_of_skipped(skipped));

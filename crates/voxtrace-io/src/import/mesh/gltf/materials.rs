@@ -27,7 +27,7 @@ pub(super) fn read(
     limits: &Limits,
     mesh: &mut Mesh,
 ) -> Result<CoordinateSets, Fault> {
-    let mut images = Images { document, buffers, folder, limits, known: vec![None; document.images.len()] };
+    let mut images = Images { document, buffers, folder, limits, taken: 0, known: vec![None; document.images.len()] };
     let mut sets = Vec::new();
     mesh.notes.extend(unread_textures(document));
     for material in &document.materials {
@@ -139,6 +139,8 @@ struct Images<'a> {
     buffers: &'a Buffers<'a>,
     folder: &'a Folder,
     limits: &'a Limits,
+    /// Bytes of all pictures.
+    taken: u64,
     /// Index in the mesh; the inner `None` is a picture that cannot be read.
     known: Vec<Option<Option<u32>>>,
 }
@@ -183,17 +185,18 @@ impl Images<'_> {
     }
 
     /// Decodes a picture. One that is damaged or missing is noted; one that is named outside the folder is a fault.
-    fn read(&self, source: usize, mesh: &mut Mesh) -> Result<Option<u32>, Fault> {
+    fn read(&mut self, source: usize, mesh: &mut Mesh) -> Result<Option<u32>, Fault> {
         let image = &self.document.images[source];
+        let (taken, limits) = (&mut self.taken, self.limits);
+        let mut decode =
+            |bytes: &[u8]| texture::decode_another(bytes, taken, limits).map_err(|refused| refused.to_string());
         let decoded = match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match read_uri(uri, self.folder) {
-                Ok(bytes) => texture::decode(&bytes, self.limits).map_err(|refused| refused.to_string()),
+                Ok(bytes) => decode(&bytes),
                 Err(Fault { kind: voxtrace_voxelize::ImportErrorKind::Io(error), .. }) => Err(error.to_string()),
                 Err(fault) => return Err(fault),
             },
-            (None, Some(view)) => {
-                texture::decode(self.buffers.view(view)?.0, self.limits).map_err(|refused| refused.to_string())
-            }
+            (None, Some(view)) => decode(self.buffers.view(view)?.0),
             (None, None) => Err("nothing says where it is".into()),
         };
         match decoded {

@@ -33,7 +33,8 @@ impl Source<'_> {
         mut each: impl FnMut([f32; 4]),
     ) -> Result<usize, Fault> {
         let accessor = self.accessors.of_kinds(index, kinds)?;
-        match self.packed.and_then(|packed| packed.vectors(name, accessor, missing, &mut each)) {
+        let packed = self.packed.map(|packed| packed.vectors(name, accessor, missing, &mut each)).transpose()?;
+        match packed.flatten() {
             Some(count) => Ok(count),
             None => self.accessors.vectors(index, kinds, missing, each),
         }
@@ -166,8 +167,14 @@ impl Target<'_> {
         let limit = accessors.limits.points;
         let first = self.mesh.positions.len();
         let announced = first as u64 + accessor.map_or(0, |accessor| accessor.count) as u64;
-        if announced > limit.min(u64::from(u32::MAX)) {
+        if announced > limit {
             return Err(Fault::limit("vertices", announced, limit));
+        }
+        if announced > u64::from(u32::MAX) {
+            return Err(Fault::unsupported(format!(
+                "vertices: {announced} is more than the fixed limit of {}",
+                u32::MAX
+            )));
         }
         let push = |point| self.mesh.positions.push(self.local_origin.localized(placed(world, point)));
         let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;

@@ -98,7 +98,8 @@ pub(super) fn look(
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
     mesh.notes.extend(not_shown::parts(document, is_played).note());
     if mesh.materials.len() > 65_535 {
-        return Err(Fault::limit("materials", mesh.materials.len() as u64, 65_535));
+        let what = format!("materials: {} is more than the fixed limit of 65535", mesh.materials.len());
+        return Err(Fault::unsupported(what));
     }
     Ok(Looks { mesh, coordinate_sets })
 }

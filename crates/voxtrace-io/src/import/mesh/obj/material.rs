@@ -13,6 +13,8 @@ pub(super) struct Library {
     pub materials: BTreeMap<String, MeshMaterial>,
     /// Index of the texture, `None` where the file cannot be read.
     textures: BTreeMap<String, Option<u32>>,
+    /// Bytes of all textures.
+    taken: u64,
     files: usize,
     /// Textures that nothing comes of, by the statement that names them.
     pub unread_maps: BTreeMap<String, u64>,
@@ -148,8 +150,9 @@ impl Library {
         placed.transform[1].z += 1.0 - placed.transform[1].y;
         let known = self.textures.get(rest).copied();
         let texture = known.unwrap_or_else(|| {
-            let read = read_near(folder, rest)
-                .and_then(|bytes| texture::decode(&bytes, limits).map_err(|fault| format!("{rest:?}: {fault}")));
+            let mut decode = |bytes: Vec<u8>| texture::decode_another(&bytes, &mut self.taken, limits);
+            let read =
+                read_near(folder, rest).and_then(|bytes| decode(bytes).map_err(|fault| format!("{rest:?}: {fault}")));
             let index = match read {
                 Ok(texture) => {
                     mesh.textures.push(texture);

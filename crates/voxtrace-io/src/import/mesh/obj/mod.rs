@@ -9,7 +9,7 @@ use crate::import::reader::Geometry;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::reader::{self, Kind, NotShown};
 use crate::import::source::folder::Folder;
-use crate::import::source::input::Input;
+use crate::import::source::input::{Input, beyond};
 use faces::Faces;
 use glam::{DVec3, Vec2, Vec3, Vec4};
 use material::Library;
@@ -72,7 +72,7 @@ fn read(mut input: Input, folder: &Folder, limits: &Limits) -> Result<Geometry, 
                 }
                 joined.pop();
                 if joined.len() > 1 << 26 {
-                    return Err(ImportError::limit(path, Some(start), "bytes in a line", joined.len() as u64, 1 << 26));
+                    return Err(beyond(path, Some(start), "bytes in a line", joined.len() as u64, 1 << 26));
                 }
             }
             line = &joined;

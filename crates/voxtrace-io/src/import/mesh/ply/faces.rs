@@ -52,9 +52,7 @@ impl Columns {
         let find = |name: &str, is_list: bool| {
             element.find(&[name]).filter(|&at| element.properties[at].list.is_some() == is_list)
         };
-        let [red, green, blue] = ["red", "green", "blue"]
-            .map(|name| find(name, false).filter(|&at| !matches!(element.properties[at].kind, Kind::F32 | Kind::F64)));
-        let color = red.zip(green).zip(blue).map(|((red, green), blue)| [red, green, blue]);
+        let color = vertices::color_of(element).filter(|&color| are_whole(element, color));
         Some(Self {
             uvs: find("texcoord", true).filter(|_| wanted.uvs),
             color: color.filter(|_| wanted.colors),
@@ -62,6 +60,20 @@ impl Columns {
             ..plain
         })
     }
+}
+
+/// Whether colours are whole numbers.
+fn are_whole(element: &Element, color: [usize; 3]) -> bool {
+    !color.iter().any(|&at| matches!(element.properties[at].kind, Kind::F32 | Kind::F64))
+}
+
+/// What is said of colours that are left out: of floating-point numbers only all of them would tell what full intensity is.
+pub(super) fn unread_colors<'e>(mut elements: impl Iterator<Item = &'e Element>, wanted: Wanted) -> Option<String> {
+    let is_unread = |element: &Element| {
+        element.name == "face" && vertices::color_of(element).is_some_and(|color| !are_whole(element, color))
+    };
+    (wanted.colors && elements.any(is_unread))
+        .then(|| "colours of faces are left out: they are no whole numbers, as those of vertices may be".into())
 }
 
 /// The property that holds the corners of faces.

@@ -1,6 +1,6 @@
 //! Binary PLY meshes larger than memory: faces are read one after the other, their corners through a cache of vertices.
 
-use super::faces::{Columns as FaceColumns, Face, STRIPS, Wanted, column_of, triangles_of_strips};
+use super::faces::{Columns as FaceColumns, Face, STRIPS, Wanted, column_of, triangles_of_strips, unread_colors};
 use super::header::{Element, Encoding, Header};
 use super::values::Values;
 use super::vertex_cache::VertexCache;
@@ -26,6 +26,8 @@ pub(crate) struct PlyTriangles {
     vertices: VertexCache,
     vertex_count: u64,
     colors: SourceColors,
+    /// Whether faces say how they look, so that in memory each triangle has corners of its own.
+    has_own_corners: bool,
     /// What is taken of faces.
     wanted: Wanted,
     frame: Mesh,
@@ -81,6 +83,8 @@ impl PlyTriangles {
         };
         let mut frame = Mesh::new("");
         frame.notes.extend(super::not_shown(elements.iter().chain([&vertices])));
+        frame.notes.extend(unread_colors(elements.iter(), wanted));
+        let has_own_corners = of_faces.iter().any(|columns| columns.color.is_some() || columns.uvs.is_some());
         let has_uvs = columns.uv.is_some() || of_faces.iter().any(|columns| columns.uvs.is_some());
         super::set_look(&mut frame, &header.textures, has_uvs, &Folder::of(path, limits), limits);
         if colors != SourceColors::None {
@@ -99,6 +103,7 @@ impl PlyTriangles {
             vertices,
             vertex_count,
             colors,
+            has_own_corners,
             wanted,
             frame,
         }))
@@ -107,7 +112,8 @@ impl PlyTriangles {
     /// Bytes that the mesh would take in memory.
     pub fn size_bytes(&self) -> u64 {
         let vertex = 12 + if self.colors == SourceColors::None { 0 } else { 16 } + if self.has_uvs() { 8 } else { 0 };
-        self.vertex_count * vertex + self.count() * 12
+        let vertices = if self.has_own_corners { 3 * self.count() } else { self.vertex_count };
+        vertices * vertex + self.count() * 12
     }
 }
 

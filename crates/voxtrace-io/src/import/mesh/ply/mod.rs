@@ -55,6 +55,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
     let mut values = Values::new(input, header.encoding);
     let (wanted, mut looks) = (Wanted::of(&header), Looks::default());
     mesh.notes.extend(not_shown(header.elements.iter()));
+    mesh.notes.extend(faces::unread_colors(header.elements.iter(), wanted));
     for element in &header.elements {
         values.check_count(element)?;
         if element.name == "vertex" && element.find(&["packed_position"]).is_some() {
@@ -91,6 +92,7 @@ fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Ge
 /// Says how the surface looks: by pictures of these names, by colours, or plain. Each picture is a material.
 fn set_look(mesh: &mut Mesh, textures: &[String], has_uvs: bool, folder: &Folder, limits: &Limits) {
     mesh.materials.resize_with(textures.len().max(1), MeshMaterial::default);
+    let mut taken = 0;
     for (at, name) in textures.iter().enumerate() {
         if let Some(before) = textures[..at].iter().position(|before| before == name) {
             mesh.materials[at] = mesh.materials[before].clone();
@@ -104,7 +106,7 @@ fn set_look(mesh: &mut Mesh, textures: &[String], has_uvs: bool, folder: &Folder
         match folder
             .read(name)
             .map_err(|refused| refused.to_string())
-            .and_then(|file| texture::decode(&file, limits).map_err(|refused| refused.to_string()))
+            .and_then(|file| texture::decode_another(&file, &mut taken, limits).map_err(|refused| refused.to_string()))
         {
             Ok(texture) => {
                 mesh.materials[at].base_texture = Some(TextureUse::new(mesh.textures.len() as u32));
@@ -271,6 +273,46 @@ mod tests {
         let own = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float s\nproperty float t\n";
         let mesh = read(own, " 255 255 255 0 0");
         assert_eq!((mesh.triangles.len(), mesh.colors.len(), mesh.colors[0]), (3, 4, Vec4::ONE));
+    }
+
+    #[test]
+    fn colours_of_faces_have_the_names_of_those_of_vertices_or_are_told() {
+        let read = |kind: &str, prefix: &str| {
+            let color: String =
+                ["red", "green", "blue"].iter().map(|name| format!("property {kind} {prefix}{name}\n")).collect();
+            let text = format!(
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n\
+                property list uchar int vertex_indices\n{color}end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0 0 255\n"
+            );
+            read_bytes(text.as_bytes()).unwrap()
+        };
+        for prefix in ["", "diffuse_"] {
+            let mesh = read("uchar", prefix);
+            assert_eq!((mesh.colors, mesh.notes.len()), (vec![Vec4::new(0.0, 0.0, 1.0, 1.0); 3], 0), "{prefix}");
+        }
+        let mesh = read("float", "");
+        assert!(mesh.colors.is_empty() && mesh.notes[0].contains("colours of faces are left out"), "{:?}", mesh.notes);
+    }
+
+    #[test]
+    fn a_mesh_of_coloured_faces_is_known_to_take_as_much_as_it_does() {
+        let header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+            element face 9\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n\
+            end_header\n";
+        let mut bytes = header.as_bytes().to_vec();
+        bytes.extend([0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].iter().flat_map(|number| number.to_le_bytes()));
+        for _ in 0..9 {
+            bytes.push(3);
+            bytes.extend([0i32, 1, 2].iter().flat_map(|corner| corner.to_le_bytes()));
+            bytes.extend([1, 2, 3]);
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.ply");
+        std::fs::write(&path, &bytes).unwrap();
+        let large = large::PlyTriangles::open(&path, 1 << 20, &Limits::default()).unwrap().unwrap();
+        let mesh = read_bytes(&bytes).unwrap();
+        assert_eq!(mesh.colors.len(), 27);
+        assert!(large.size_bytes() >= mesh.size_bytes(), "{} {}", large.size_bytes(), mesh.size_bytes());
     }
 
     #[test]

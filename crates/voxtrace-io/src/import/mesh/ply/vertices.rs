@@ -164,19 +164,26 @@ pub(super) fn for_each_row(values: &mut Values, element: &Element, each: TakeRow
     Ok(())
 }
 
+/// The column of single numbers with one of these names.
+fn single(element: &Element, names: &[&str]) -> Option<usize> {
+    element.find(names).filter(|&at| element.properties[at].list.is_none())
+}
+
+/// The columns of red, green and blue.
+pub(super) fn color_of(element: &Element) -> Option<[usize; 3]> {
+    let red = single(element, &["red", "diffuse_red", "r"])?;
+    let green = single(element, &["green", "diffuse_green", "g"])?;
+    Some([red, green, single(element, &["blue", "diffuse_blue", "b"])?])
+}
+
 impl Columns {
     pub fn of(element: &Element) -> Option<Self> {
-        let find = |names: &[&str]| element.find(names).filter(|&at| element.properties[at].list.is_none());
+        let find = |names: &[&str]| single(element, names);
         let position = [find(&["x"])?, find(&["y"])?, find(&["z"])?];
-        let color = find(&["red", "diffuse_red", "r"]).zip(find(&["green", "diffuse_green", "g"])).zip(find(&[
-            "blue",
-            "diffuse_blue",
-            "b",
-        ]));
         let uv = find(&["s", "u", "texture_u"]).zip(find(&["t", "v", "texture_v"]));
         Some(Self {
             position,
-            color: color.map(|((r, g), b)| [r, g, b]),
+            color: color_of(element),
             alpha: find(&["alpha", "diffuse_alpha"]),
             uv: uv.map(|(u, v)| [u, v]),
         })

@@ -232,13 +232,13 @@ impl<'a> Records<'a> {
         self.local_origin.is_set()
     }
 
-    /// Looks among points for the first one that is kept.
+    /// Looks among points for the first one that is kept: what is nowhere is not.
     pub fn look_for_offset(&mut self, bytes: &[u8]) {
         let mut records = bytes.chunks_exact(usize::from(self.header.record_size));
         if !self.has_offset()
             && let Some(first) = records.find(|record| {
-                let (is_withheld, class) = self.header.class(record);
-                !is_withheld && self.header.is_chosen(class, self.header.position(record))
+                let ((is_withheld, class), position) = (self.header.class(record), self.header.position(record));
+                !is_withheld && position.is_finite() && self.header.is_chosen(class, position)
             })
         {
             self.local_origin.localized(self.header.position(first));

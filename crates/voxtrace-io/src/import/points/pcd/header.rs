@@ -55,10 +55,9 @@ impl Field {
         }
     }
 
-    /// A colour of 0 to 255, also where it is written as a share of one.
-    pub fn byte(&self, value: f64) -> u8 {
-        let full = if self.kind == b'F' && value <= 1.0 { 255.0 } else { 1.0 };
-        (value * full).clamp(0.0, 255.0).round() as u8
+    /// Whether it is a floating-point number.
+    pub fn is_real(&self) -> bool {
+        self.kind == b'F'
     }
 
     /// The bits of a packed colour.

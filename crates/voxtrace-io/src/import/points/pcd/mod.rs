@@ -85,13 +85,15 @@ struct Points<'a> {
     local_origin: LocalOrigin,
     cloud: PointCloud,
     intensities: Vec<f32>,
+    /// Red, green and blue as the file has them.
+    colors: Vec<[f32; 3]>,
     left_out: u64,
 }
 
 impl<'a> Points<'a> {
     fn new(header: &'a Header) -> Self {
         let (local_origin, cloud) = (LocalOrigin::default(), PointCloud::default());
-        Self { header, local_origin, cloud, intensities: Vec::new(), left_out: 0 }
+        Self { header, local_origin, cloud, intensities: Vec::new(), colors: Vec::new(), left_out: 0 }
     }
 
     /// Adds a point whose fields are read by `number`.
@@ -109,7 +111,8 @@ impl<'a> Points<'a> {
             self.cloud.colors.push([red, green, blue]);
         }
         if let Some(rgb) = &header.rgb {
-            self.cloud.colors.push(rgb.each_ref().map(|field| field.byte(number(field))));
+            // What is no number is dark.
+            self.colors.push(rgb.each_ref().map(|field| (number(field) as f32).max(0.0)));
         }
         if let Some(field) = &header.intensity {
             self.intensities.push(number(field) as f32);
@@ -150,6 +153,14 @@ impl<'a> Points<'a> {
         }
         if self.left_out > 0 {
             self.cloud.notes.push(format!("{} points that are not finite are left out", self.left_out));
+        }
+        if let Some(rgb) = &self.header.rgb {
+            // Shares of one, perhaps rounded up, or numbers up to 255: the largest that is finite tells.
+            let mut finite = self.colors.as_flattened().iter().filter(|value| value.is_finite());
+            let are_shares = finite.all(|&value| value <= 1.001);
+            let full = if are_shares && rgb.iter().all(Field::is_real) { 255.0 } else { 1.0 };
+            let byte = |value: f32| (value * full).min(255.0).round() as u8;
+            self.cloud.colors = self.colors.iter().map(|color| color.map(byte)).collect();
         }
         self.cloud.intensities = whole_intensities(&self.intensities);
         if self.cloud.intensities.iter().all(|&value| value == 0) {
@@ -196,6 +207,11 @@ mod tests {
         let shares = text.replace("TYPE f F F u U U", "TYPE F F F F F F").replace("100 200 50", "1 0.5 0");
         let shares = shares.replace("SIZE 4 4 4 1 1 1", "SIZE 4 4 4 4 4 4");
         assert_eq!(cloud(shares.as_bytes()).unwrap().colors[0], [255, 128, 0]);
+        let rounded = shares.replace("POINTS 1", "POINTS 2") + "1 2 4 1.0000002 inf 0.5\n";
+        assert_eq!(cloud(rounded.as_bytes()).unwrap().colors, [[255, 128, 0], [255, 255, 128]]);
+        // Beside larger ones a dark colour stays dark.
+        let bytes = shares.replace("POINTS 1", "POINTS 2") + "1 2 4 200 nan 300\n";
+        assert_eq!(cloud(bytes.as_bytes()).unwrap().colors, [[1, 1, 0], [200, 0, 255]]);
         assert!(cloud(text.replace("SENSOR_ORIGIN", "SENSOR-ORIGIN").as_bytes()).is_err());
     }
 

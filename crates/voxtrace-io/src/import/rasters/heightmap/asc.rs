@@ -64,8 +64,8 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
         let numbers = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
         for word in numbers {
             let word = String::from_utf8_lossy(word.get(..word.len().min(40)).unwrap_or_default());
-            let value: f64 =
-                word.parse().map_err(|_| ImportError::malformed(path, offset, format!("the height {word:?}")))?;
+            let value =
+                number(&word).ok_or_else(|| ImportError::malformed(path, offset, format!("the height {word:?}")))?;
             values.push(if value == hole { f32::NAN } else { value as f32 });
         }
     }
@@ -100,12 +100,17 @@ pub(super) fn read(mut input: Input, limits: &Limits) -> Result<Heights, ImportE
     Ok(Heights { width: columns as usize, depth: rows as usize, values, cell, unit, map, notes })
 }
 
+/// A number with a decimal point, or a comma as some programs write where that is usual.
+fn number(word: &str) -> Option<f64> {
+    word.parse().ok().or_else(|| word.replacen(',', ".", 1).parse().ok())
+}
+
 impl Header {
     /// Takes a line; `None` where it makes no sense.
     fn take(&mut self, line: &str) -> Option<()> {
         let (key, value) = line.trim().split_once(|c: char| c.is_ascii_whitespace())?;
         let value = value.trim();
-        let number = || value.parse().ok().filter(|number: &f64| number.is_finite());
+        let number = || number(value).filter(|number| number.is_finite());
         let key = key.to_ascii_lowercase();
         match key.as_str() {
             "ncols" => self.columns = Some(value.parse().ok()?),
@@ -119,7 +124,7 @@ impl Header {
                 self.has_corner = true;
                 self.is_centre = key.ends_with("center");
             }
-            "nodata_value" => self.hole = Some(value.parse().ok()?),
+            "nodata_value" => self.hole = Some(self::number(value)?),
             _ => return None,
         }
         Some(())

@@ -1,6 +1,7 @@
 //! Columns of voxels as bricks: only bricks that hold a voxel are made, so high and wide maps cost what their surface does.
 
 use crate::import::grids::dense;
+use crate::import::source::input::beyond;
 use glam::IVec3;
 use rayon::prelude::*;
 use std::path::Path;
@@ -26,7 +27,7 @@ impl Columns {
     pub fn grid(&self, path: &Path, limits: &Limits) -> Result<VoxelGrid, ImportError> {
         let edge = self.width.max(self.depth) as u64;
         if edge > MAX_COORDINATE as u64 {
-            return Err(ImportError::limit(path, None, "points along an edge", edge, MAX_COORDINATE as u64));
+            return Err(beyond(path, None, "points along an edge", edge, MAX_COORDINATE as u64));
         }
         let (width, depth) = (self.width as i32, self.depth as i32);
         // The lowest voxel that is kept, the one at the bottom aside.

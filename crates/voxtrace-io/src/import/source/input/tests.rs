@@ -1,7 +1,6 @@
 //! Reading piece by piece, from files and from memory.
 
 use super::*;
-use voxtrace_voxelize::ImportErrorKind;
 
 fn input(bytes: &[u8]) -> Input<'_> {
     Input::of_bytes(bytes, Path::new("bytes"), &Limits::default()).unwrap()
@@ -97,4 +96,14 @@ fn more_bytes_than_allowed_are_an_error_for_files_and_memory() {
     std::fs::write(&path, "12345").unwrap();
     assert!(Input::open(&path, &limits).is_err());
     assert!(Input::open(folder.path(), &limits).is_err());
+}
+
+#[test]
+fn what_no_option_allows_is_not_called_a_limit_that_one_may_lift() {
+    let error = input(b"12345").take(LONGEST + 1, "a body").unwrap_err();
+    let text = error.to_string();
+    assert!(
+        matches!(error.kind, ImportErrorKind::Unsupported(_)) && text.contains("fixed limit of 67108864"),
+        "{text}"
+    );
 }
