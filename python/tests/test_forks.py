@@ -171,7 +171,8 @@ def main() -> None:
             failed.append(f"{name}: {'waits for ever' if code == -signal.SIGALRM else f'ends with {code}'}")
         if len(failed) == 3:
             break
-    sys.exit("\n".join(failed))
+    if failed:
+        sys.exit("\n".join(failed))
 
 
 if __name__ == "__main__":
