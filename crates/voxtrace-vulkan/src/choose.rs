@@ -81,8 +81,8 @@ pub fn choose_for(request: &Request, scene: &Arc<PackedScene>) -> Result<Choice,
 ///    the CPU: its vector walk is several times as fast as Vulkan in software.
 /// 2. A traversal asked for, but no device: the best hardware, else the first software device.
 /// 3. A device asked for, but no traversal: its compute walk.
-/// 4. Several devices asked for: they share the work ([`crate::SharedTracer`]), and the picture is the same. All of them: those that are hardware, can do the
-///    traversal and open, with a warning about the others; with one of them, or none, as if none had been asked for.
+/// 4. Several devices asked for: they share the work ([`crate::SharedTracer`]), and the picture is the same. All of them: those that are hardware and can do the
+///    traversal; with one of them, or none, as if none had been asked for. Of several, one that does not open takes no part, with a warning.
 /// 5. Acceleration structures are made of bricks. Where the driver's probes are kept and speak against that, of what they
 ///    trust: bricks, grids, triangles, in this order; where they trust none, the compute walk takes over. A primitive that was
 ///    asked for stays, and the reason says what speaks against it. Probes are never run here.
@@ -110,7 +110,8 @@ fn choose_one(request: &Request, options: Options) -> Result<Choice, TraceError>
     let device = match (request.device.as_deref(), request.traversal) {
         (Some(device), _) => open(Some(device))?,
         (None, Some(_)) => open(None).or_else(|error| match first_in_software(&options) {
-            Some(number) => open(Some(&number.to_string())),
+            // Why the hardware cannot says more.
+            Some(number) => open(Some(&number.to_string())).map_err(|_| error),
             None => Err(error),
         })?,
         (None, None) => match open(None) {
