@@ -2466,9 +2466,14 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
     return;
 }
 
+fn sum_7( channels_0 : vec3<f32>) -> f32
+{
+    return channels_0.x + channels_0.y + channels_0.z;
+}
+
 fn Lit_irradiance_0( this_14 : Lit_0) -> vec3<f32>
 {
-    return this_14.light_10 / (this_14.shaded_1 + vec3<f32>(0.00300000002607703f));
+    return (this_14.light_10 + vec3<f32>((0.00300000002607703f * sum_7(this_14.light_10) / max(sum_7(this_14.shaded_1), 0.00030000001424924f)))) / (this_14.shaded_1 + vec3<f32>(0.00300000002607703f));
 }
 
 fn Lit_variance_0( this_15 : Lit_0) -> f32
@@ -2481,7 +2486,7 @@ fn Lit_variance_0( this_15 : Lit_0) -> f32
 fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
 {
     var dy_7 : i32 = i32(-3);
-    var sum_7 : f32 = 0.0f;
+    var sum_8 : f32 = 0.0f;
     var squares_2 : f32 = 0.0f;
     var weights_16 : f32 = 0.0f;
     for(;;)
@@ -2494,7 +2499,7 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             break;
         }
         var dx_7 : i32 = i32(-3);
-        var sum_8 : f32 = sum_7;
+        var sum_9 : f32 = sum_8;
         var squares_3 : f32 = squares_2;
         var weights_17 : f32 = weights_16;
         for(;;)
@@ -2518,18 +2523,18 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             var _S200 : f32 = weight_7 * light_15;
             var squares_4 : f32 = squares_3 + _S200 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_8 = sum_8 + _S200;
+            sum_9 = sum_9 + _S200;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
         }
         dy_7 = dy_7 + i32(1);
-        sum_7 = sum_8;
+        sum_8 = sum_9;
         squares_2 = squares_3;
         weights_16 = weights_17;
     }
     var scale_2 : f32 = 1.0f / max(weights_16, 9.99999968265522539e-21f);
-    return max(squares_2 * scale_2 - sum_7 * scale_2 * sum_7 * scale_2, 0.0f);
+    return max(squares_2 * scale_2 - sum_8 * scale_2 * sum_8 * scale_2, 0.0f);
 }
 
 fn begin_filter_0( at_23 : vec2<i32>)
@@ -2578,7 +2583,7 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
     var _S203 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_24)));
     var _S204 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_9 : vec2<f32> = _S204;
+    var sum_10 : vec2<f32> = _S204;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2590,7 +2595,7 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
             break;
         }
         var dx_8 : i32 = i32(-2);
-        var sum_10 : vec2<f32> = sum_9;
+        var sum_11 : vec2<f32> = sum_10;
         var weights_20 : f32 = weights_19;
         for(;;)
         {
@@ -2611,15 +2616,15 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
             var index_32 : u32 = index_of_0(vec2<u32>(other_10));
             var weight_8 : f32 = spline_0(_S205) * Center_alike_0(_S203, index_32);
             var weights_21 : f32 = weights_20 + weight_8;
-            sum_10 = sum_10 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
+            sum_11 = sum_11 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
             weights_20 = weights_21;
             dx_8 = dx_8 + i32(1);
         }
         dy_8 = dy_8 + i32(1);
-        sum_9 = sum_10;
+        sum_10 = sum_11;
         weights_19 = weights_20;
     }
-    return sum_9 / vec2<f32>(max(weights_19, 9.99999968265522539e-21f));
+    return sum_10 / vec2<f32>(max(weights_19, 9.99999968265522539e-21f));
 }
 
 fn compare_around_0( at_25 : vec2<i32>)
@@ -2653,7 +2658,7 @@ fn estimate_noise_0( at_26 : vec2<i32>)
     set_color_0(u32(0), index_34, color_18);
     var _S208 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_11 : vec2<f32> = _S208;
+    var sum_12 : vec2<f32> = _S208;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2672,11 +2677,11 @@ fn estimate_noise_0( at_26 : vec2<i32>)
         }
         var beside_7 : u32 = index_of_0(vec2<u32>(other_11));
         var count_10 : f32 = count_9 + 1.0f;
-        sum_11 = sum_11 + vec2<f32>(numbers_0(u32(5), beside_7).y, numbers_0(u32(4), beside_7).x);
+        sum_12 = sum_12 + vec2<f32>(numbers_0(u32(5), beside_7).y, numbers_0(u32(4), beside_7).x);
         count_9 = count_10;
         dx_9 = dx_9 + i32(1);
     }
-    set_numbers_0(u32(3), index_34, sum_11 / vec2<f32>(count_9));
+    set_numbers_0(u32(3), index_34, sum_12 / vec2<f32>(count_9));
     return;
 }
 
@@ -2808,9 +2813,11 @@ fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 
 fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
 {
+    var shown_0 : vec3<f32> = irradiance_0 * (memory_4.albedo_2 + vec3<f32>(0.00300000002607703f));
+    var shown_1 : vec3<f32> = shown_0 - vec3<f32>((0.00300000002607703f * sum_7(shown_0) / (max(sum_7(memory_4.albedo_2), 0.00030000001424924f) + 0.00899999961256981f)));
     if((memory_4.coverage_0) > 0.0f)
     {
-        return max(memory_4.direct_2 + irradiance_0 * (memory_4.albedo_2 + vec3<f32>(0.00300000002607703f)), vec3<f32>(0.0f));
+        return max(memory_4.direct_2 + shown_1, vec3<f32>(0.0f));
     }
     return memory_4.direct_2 + memory_4.lit_7.light_10;
 }

@@ -6,6 +6,8 @@ use voxtrace_core::math::luminance;
 
 /// Added to albedos before they divide, so that black surfaces do not make noise of nothing.
 pub(crate) const LEAST_ALBEDO: f32 = 0.003;
+/// Least sum of an albedo's channels that says how much light falls on a surface.
+const LEAST_SUM: f32 = 0.0003;
 
 /// What is known of a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,9 +73,11 @@ impl Memory {
         self.moments += (Vec3::new(l * l, l * a, a * a) - self.moments) * share;
     }
 
-    /// The light that falls on what is seen; of what media scatter, all of it.
+    /// The light that falls on what is seen; of what media scatter, all of it. A channel that is hardly sent back says nothing about the light:
+    /// there it is what all channels together say. Else the filter would darken others by it.
     pub fn irradiance(&self) -> Vec3 {
-        self.light / (self.shaded + LEAST_ALBEDO)
+        let grey = self.light.element_sum() / self.shaded.element_sum().max(LEAST_SUM);
+        (self.light + LEAST_ALBEDO * grey) / (self.shaded + LEAST_ALBEDO)
     }
 
     /// Variance of the luminance of [`Self::irradiance`], a ratio of means (Cochran, "Sampling Techniques", 1977, chapter 6).
@@ -86,7 +90,10 @@ impl Memory {
     /// The pixel's radiance where `irradiance` falls on what is seen.
     pub fn radiance(&self, irradiance: Vec3) -> Vec3 {
         if self.coverage > 0.0 {
-            (self.direct + irradiance * (self.albedo + LEAST_ALBEDO)).max(Vec3::ZERO)
+            let shown = irradiance * (self.albedo + LEAST_ALBEDO);
+            // The sum over the channels has the grey light of each, too.
+            let grey = shown.element_sum() / (self.albedo.element_sum().max(LEAST_SUM) + 3.0 * LEAST_ALBEDO);
+            (self.direct + shown - LEAST_ALBEDO * grey).max(Vec3::ZERO)
         } else {
             self.direct + self.light
         }
@@ -130,5 +137,22 @@ mod tests {
         assert!((0.5..1.0).contains(&radiance(1.0)), "{}", radiance(1.0));
         // A planted fault: without an albedo of the medium, all of its light came from the surface's.
         assert!(radiance(0.0) > 100.0);
+    }
+
+    #[test]
+    fn white_light_is_alike_on_saturated_surfaces_and_comes_back_as_it_was() {
+        let irradiance = |albedo: Vec3| {
+            let memory = Memory { coverage: 1.0, light: 2.0 * albedo, shaded: albedo, albedo, ..Memory::default() };
+            let irradiance = memory.irradiance();
+            assert!((memory.radiance(irradiance) - memory.light).abs().max_element() < 1e-5, "{albedo}");
+            irradiance
+        };
+        let albedos = [[0.8, 0.0, 0.0], [0.0, 0.0, 0.8], [0.5, 0.004, 0.2], [0.7, 0.7, 0.7]].map(Vec3::from_array);
+        for albedo in albedos {
+            assert!((irradiance(albedo) - 2.0).abs().max_element() < 0.01, "{albedo}: {}", irradiance(albedo));
+        }
+        // A planted fault: each channel by itself has no light where the surface is black in it.
+        let alone = 2.0 * albedos[0] / (albedos[0] + LEAST_ALBEDO);
+        assert!((alone - 2.0).abs().max_element() > 1.0);
     }
 }

@@ -191,7 +191,7 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-realtime/src/on_devices.rs",
         items: &[uniform("RealTimeParams"), named("flag", "REAL_TIME")],
     },
-    Source { file: "voxtrace-realtime/src/memory.rs", items: &[same("LEAST_ALBEDO")] },
+    Source { file: "voxtrace-realtime/src/memory.rs", items: &[same("LEAST_ALBEDO"), same("LEAST_SUM")] },
     Source {
         file: "voxtrace-realtime/src/reprojection.rs",
         items: &[
