@@ -172,3 +172,9 @@ def test_files_keep_grids(tmp_path, random):
         scene.save(tmp_path / "a.docx")
     with pytest.raises(OSError):
         scene.save(tmp_path / "nowhere" / "a.vxt")
+
+
+def test_ctrl_c_ends_the_making_of_a_grid(ctrl_c_ends):
+    nothing = numpy.zeros(1, "uint8")
+    arrays = [numpy.broadcast_to(nothing, (edge, edge, edge)) for edge in [512, 768, 1024]]
+    ctrl_c_ends((lambda array=array: voxtrace.VoxelGrid.from_numpy(array)) for array in arrays)

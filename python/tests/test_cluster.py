@@ -213,6 +213,49 @@ def test_a_scene_that_another_process_has_just_removed_is_kept_anew(church, tmp_
     assert [file.name for file in folder.iterdir()] == ["raced.vxt"]
 
 
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="temporary files are of one user")
+def test_scenes_are_kept_in_no_folder_that_others_write_to(church, tmp_path, monkeypatch):
+    from voxtrace.dask import _sharing
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    data, elsewhere = church.to_bytes(), tmp_path / "elsewhere"
+    folder = tmp_path / f"voxtrace-{os.getuid()}"
+    wanted = voxtrace.builtin("city", voxels=20_000)
+
+    def open_to_all() -> None:
+        folder.mkdir()
+        folder.chmod(0o777)
+
+    def of_another_user() -> None:
+        folder.mkdir(mode=0o700)
+        os.chown(folder, os.getuid() + 1, -1)
+
+    def link() -> None:
+        elsewhere.mkdir(mode=0o700)
+        folder.symlink_to(elsewhere)
+
+    # Only the superuser gives folders away.
+    for make in [open_to_all, folder.touch, link] + [of_another_user] * (os.getuid() == 0):
+        monkeypatch.setattr(_sharing, "_own_folder", None)
+        make()
+        if folder.is_dir():
+            # Somebody else's scene under the name of ours.
+            (folder / "named.vxt").write_bytes(data)
+        assert _sharing._unpacked(wanted.to_bytes(), "named").voxels == wanted.voxels != church.voxels
+        assert not folder.is_dir() or [file.name for file in folder.iterdir()] == ["named.vxt"]
+        own = _sharing._folder()
+        assert own != folder and own.stat().st_mode & 0o777 == 0o700 and (own / "named.vxt").is_file()
+        if folder.is_dir() and not folder.is_symlink():
+            (folder / "named.vxt").unlink()
+            folder.rmdir()
+        else:
+            folder.unlink()
+        _sharing._own_folder.cleanup()
+    # One that is ours stays that of all processes.
+    folder.mkdir(mode=0o700)
+    assert _sharing._folder() == folder
+
+
 def test_a_file_that_several_write_at_once_is_whole(tmp_path, monkeypatch):
     from voxtrace.dask import _sharing
 

@@ -199,3 +199,17 @@ def test_transfer_functions_travel():
         except voxtrace.VoxtraceError:
             continue
         assert volume.voxelize(again).to_bytes() == expected.to_bytes()
+
+
+@pytest.mark.parametrize("name", ["parts", "memory", "levels"])
+def test_counts_below_0_are_refused_before_any_work(church, tmp_path, name):
+    import voxtrace.dask
+
+    for call in [
+        lambda: voxtrace.dask.voxelize_array(None, lump((8, 8, 8)), tmp_path / "a.vxt", **{name: -1}),
+        lambda: voxtrace.dask.voxelize(None, [tmp_path / "a.las"], tmp_path / "a.vxt", **{name: -1}),
+    ]:
+        with pytest.raises(ValueError, match=f"{name} is a whole number from 0 on, not -1"):
+            call()
+    with pytest.raises(ValueError, match="parts is a whole number from 0 on, not -1"):
+        voxtrace.dask.render(None, church, parts=-1)

@@ -1,7 +1,9 @@
 """A process that was forked from one that has worked: whatever it calls answers, or says that the threads stayed behind. Nothing waits for them."""
 
+import copy
 import inspect
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -129,6 +131,10 @@ def calls_of(folder: Path) -> dict[str, Callable[[], object]]:
     things |= {"sky": sky, "transfer": transfer, "renderer": renderer, "image": image, "editor": editor, "instance": changed.instances[0]}
     for name, thing in things.items():
         calls[f"repr of {name}"] = lambda thing=thing: repr(thing)
+        if name not in ["renderer", "editor"]:
+            calls[f"copy of {name}"] = lambda thing=thing: copy.deepcopy(thing)
+            calls[f"pickle of {name}"] = lambda thing=thing: pickle.dumps(thing)
+            calls[f"{name} of a pickle"] = lambda pickled=pickle.dumps(thing): pickle.loads(pickled)
         for member, value in vars(type(thing)).items():
             if inspect.isdatadescriptor(value) and not member.startswith("__"):
                 calls[f"{name}: {member}"] = lambda thing=thing, member=member: getattr(thing, member)

@@ -124,6 +124,21 @@ def test_ctrl_c_ends_a_long_render(church):
     assert time.monotonic() - start < 300
 
 
+@pytest.mark.parametrize("filter", ["voxtrace", "oidn"])
+def test_ctrl_c_ends_the_removal_of_noise(church, ctrl_c_ends, filter):
+    if filter == "oidn":
+        pytest.importorskip("pyoidn")
+    renderer = voxtrace.Renderer(church, device="cpu")
+
+    def noisy():
+        # What takes long is to cast the camera rays of all samples once more.
+        for samples in [64, 256, 1024, 4096]:
+            image = renderer.render(samples=samples, size=(320, 180), max_bounces=0, denoise=False)
+            yield lambda: image.denoise(church, filter)
+
+    ctrl_c_ends(noisy())
+
+
 def test_other_threads_run_meanwhile(church):
     count = 0
     ended = threading.Event()
@@ -155,8 +170,9 @@ def test_other_threads_run_meanwhile(church):
         ({"size": (0, 5)}, "frame cannot be rendered|region"),
         ({"size": (60_000, 60_000)}, "render regions"),
         ({"size": (70_000, 70_000), "region": (0, 0, 8, 8)}, "2³²"),
-        ({"samples": 0}, "sample"),
+        ({"samples": 0}, "samples is a whole number from 1 to 4294967295, not 0"),
         ({"camera": "nobody"}, "there are: nave"),
+        ({"max_bounces": 65_536}, "max_bounces is a whole number from 0 to 65535, not 65536"),
         ({"region": (5, 5, 5, 9)}, "region is"),
         ({"integrator": "rays"}, "neither"),
     ],
@@ -164,6 +180,52 @@ def test_other_threads_run_meanwhile(church):
 def test_what_cannot_be_rendered_is_said(church, options, says):
     with pytest.raises(ValueError, match=says):
         voxtrace.render(church, device="cpu", **{"size": (16, 9), "samples": 1, **options})
+
+
+#: Beyond all numbers that there is room for.
+BEYOND = 2**70
+
+
+@pytest.mark.parametrize("number", [-1, numpy.int64(-7), BEYOND, -BEYOND], ids=str)
+def test_numbers_that_there_is_no_room_for_are_told_by_their_names(church, tmp_path, number):
+    renderer = voxtrace.Renderer(church, device="cpu")
+    film = renderer.render(samples=1, size=(8, 4), denoise=False)
+    volume = voxtrace.Volume.from_array(numpy.mgrid[0:4, 0:4, 0:4].sum(0))
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    render = lambda **options: renderer.render(**{"samples": 1, "size": (8, 4), **options})
+    calls = {
+        "samples": [lambda: render(samples=number), lambda: renderer.render_like(film, samples=number)],
+        "seed": [lambda: render(seed=number)],
+        "max_bounces": [lambda: render(max_bounces=number)],
+        "first_sample": [lambda: render(first_sample=number), lambda: renderer.render_like(film, samples=1, first_sample=number)],
+        "the width of size": [lambda: render(size=(number, 4)), lambda: renderer.default_camera((number, 4))],
+        "the height of size": [lambda: render(size=(8, number)), lambda: renderer.default_camera().ray((1, 2), (8, number))],
+        "x0 of region": [lambda: render(region=(number, 0, 4, 4))],
+        "y1 of region": [lambda: renderer.render_like(film, samples=1, region=(0, 0, 4, number))],
+        "memory": [lambda: voxtrace.Renderer(church, device="cpu", memory=number)],
+        "resolution": [lambda: voxtrace.open(tmp_path / "a.obj", resolution=number), lambda: volume.voxelize(resolution=number)],
+        "channel": [lambda: voxtrace.open(tmp_path / "a.nii", channel=number), lambda: voxtrace.open_volume(tmp_path / "a.nii", channel=number)],
+        "time": [lambda: voxtrace.open(tmp_path / "a.nii", time=number), lambda: voxtrace.open_volume(tmp_path / "a.nii", time=number)],
+        "voxels": [lambda: voxtrace.builtin("city", voxels=number)],
+        "instances": [lambda: voxtrace.builtin("forest", instances=number)],
+    }
+    for name, made in calls.items():
+        for call in made:
+            with pytest.raises(ValueError, match=f"^{name} is a whole number from [01] to [0-9]+, not {number}(\n|$)"):
+                call()
+    if abs(number) == BEYOND:
+        with pytest.raises(ValueError, match=f"^series is a whole number from -[0-9]+ to [0-9]+, not {number}"):
+            voxtrace.open_volume(tmp_path / "a.nii", series=number)
+        with pytest.raises(ValueError, match=f"a label is a whole number from -[0-9]+ to [0-9]+, not {number}"):
+            voxtrace.TransferFunction.labels({number: "#ffffff"})
+        editor = voxtrace.Editor(church)
+        for edit in [lambda: editor.fill((0, 0, 0), (1, 1, 1), number), lambda: editor.replace(0, number), lambda: editor.set([[0, 0, 0]], number)]:
+            with pytest.raises(voxtrace.VoxtraceError, match=f"there is no material {number}"):
+                edit()
+        assert editor.get((0, 0, 0), grid=number) is None
+    # What is no number at all is another fault.
+    with pytest.raises(TypeError):
+        render(samples="many")
 
 
 def test_parts_of_a_picture_that_is_too_large_are_rendered(church):

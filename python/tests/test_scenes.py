@@ -1,9 +1,11 @@
 """Rays, moving and editing, threads that share scenes, files that cannot be read."""
 
 import os
+import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable
 
 import numpy
@@ -355,6 +357,89 @@ def test_threads_add_to_a_scene():
     for number, grid in zip(numbers, grids):
         added = scene.grid(scene.instances[number].grid)
         assert added.materials[added[79, 0, 79]] == grid.materials[0]
+
+
+def test_other_threads_run_and_read_while_a_file_is_unpacked(random):
+    count, ended, failed = 0, threading.Event(), []
+    scenes: list[voxtrace.Scene] = []
+
+    def counts() -> None:
+        nonlocal count
+        while not ended.wait(0.001):
+            count += 1
+            try:
+                assert all(scene.name == "scene" and scene.sky and scene.light_intensity > 0 for scene in scenes)
+            except Exception as error:
+                failed.append(error)
+
+    thread = threading.Thread(target=counts)
+    thread.start()
+    meanwhile = 0
+    # A quick machine and a busy one need more voxels.
+    for edge in [160, 320, 480]:
+        labels = random.integers(1, 250, (edge, edge, edge), "uint8")
+        scene = voxtrace.Scene.from_bytes(voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(labels)).to_bytes())
+        scenes[:] = [scene]
+        before = count
+        scene.light_intensity = 2.5
+        meanwhile = count - before
+        assert scene.light_intensity == 2.5 and (scene.grid(0).to_numpy() == labels).all()
+        if meanwhile > 20:
+            break
+    ended.set()
+    thread.join()
+    assert meanwhile > 20 and not failed, failed
+
+
+def test_changes_wait_for_threads_that_work_with_a_scene(random):
+    labels = (random.random((200, 200, 200)) > 0.5).astype("uint8")
+    cube = voxtrace.VoxelGrid.from_numpy(numpy.ones((2, 2, 2), bool))
+    scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(labels))
+    changes = [
+        lambda: scene.add(cube),
+        lambda: scene.add_copy(0, numpy.eye(4)),
+        lambda: scene.place(1, numpy.eye(4)),
+        lambda: scene.set_material(0, voxtrace.Material("#ff0000")),
+        lambda: setattr(scene, "sky", voxtrace.Sky.black()),
+        lambda: setattr(scene, "light_intensity", 2.0),
+        lambda: setattr(scene, "cameras", []),
+        lambda: setattr(scene, "clip", ((0, 0, 0), (9, 9, 9))),
+    ]
+    for change in changes:
+        # What was packed is forgotten, so that it takes a while again.
+        scene.light_intensity = 1.0
+        packing = threading.Thread(target=lambda: scene.bounds)
+        packing.start()
+        time.sleep(0.02)
+        change()
+        packing.join()
+    assert [len(scene.instances), scene.light_intensity, scene.clip] == [3, 1.0, ([0, 0, 0], [9, 9, 9])]
+    assert scene.sky == voxtrace.Sky.black() and scene.materials[0] == voxtrace.Material("#ff0000")
+
+
+def test_a_change_in_a_handler_of_a_signal_does_not_wait_for_what_it_interrupts(random):
+    if not hasattr(signal, "setitimer"):
+        pytest.skip("this system has no timers that send signals")
+    labels = (random.random((256, 256, 256)) > 0.5).astype("uint8")
+    scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy(labels))
+    told = []
+
+    def handler(*_: object) -> None:
+        try:
+            scene.light_intensity = 2.0
+        except RuntimeError as error:
+            told.append(error)
+
+    before = signal.signal(signal.SIGALRM, handler)
+    try:
+        # Where it comes before or after the scene is packed it changes it.
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        assert scene.bounds == ([0] * 3, [256] * 3)
+        while not told and scene.light_intensity == 1:
+            time.sleep(0.01)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert len(told) == (scene.light_intensity == 1)
 
 
 def test_threads_share_an_editor():

@@ -153,3 +153,16 @@ def test_labels_are_not_interpolated(random):
     volume = voxtrace.Volume.from_array(labels, labels=True)
     scene = volume.voxelize(voxtrace.TransferFunction.labels({2: "#00ff00"}), shell=False)
     assert scene.voxels == numpy.count_nonzero(labels == 2)
+
+
+def test_ctrl_c_ends_the_making_of_voxels(ctrl_c_ends):
+    x, y, z = numpy.mgrid[-1:1:64j, -1:1:64j, -1:1:64j]
+    volume = voxtrace.Volume.from_array(1 - numpy.sqrt(x * x + y * y + z * z))
+    # Of a ball little is kept, and what is within is looked at all the same.
+    ctrl_c_ends((lambda resolution=resolution: volume.voxelize(threshold=0.5, resolution=resolution)) for resolution in [256, 512, 768, 1024])
+
+
+def test_ctrl_c_ends_the_making_of_voxels_of_a_mesh(ctrl_c_ends, tmp_path):
+    corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    (tmp_path / "a.obj").write_text("".join(f"v {x} {y} {z + x + y}\n" for x, y, z in corners) + "f 1 3 7 5\nf 2 4 8 6\n")
+    ctrl_c_ends((lambda resolution=resolution: voxtrace.open(tmp_path / "a.obj", resolution=resolution)) for resolution in [2048, 4096, 8192])

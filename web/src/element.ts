@@ -130,7 +130,8 @@ export class VoxtraceViewer extends Attributes {
 
   attributeChangedCallback(name: string, before: string | null, after: string | null) {
     if (before === after || !this.#life || this.#life.signal.aborted) return;
-    if (name === "src" || (name === "loading" && !this.#load)) {
+    if (name === "src" && !after) this.#clear();
+    else if (name === "src" || (name === "loading" && !this.#load)) {
       if (this.#load || this.#isVisible || this.loading !== "lazy") this.#reload();
     } else if (name === "tracer") this.#again?.();
     else if (name === "exposure" || name === "tone-mapping" || name === "real-time") void this.#stage.setLook(this.#look());
@@ -538,7 +539,8 @@ export class VoxtraceViewer extends Attributes {
       canvas.removeAttribute("tabindex");
       canvas.removeAttribute("aria-describedby");
     }
-    poster.style.backgroundImage = this.poster ? `url(${JSON.stringify(new URL(this.poster, this.ownerDocument.baseURI).href)})` : "";
+    // The browser makes of it an address, or nothing where it is none.
+    poster.style.backgroundImage = this.poster && `url(${JSON.stringify(this.poster)})`;
     poster.classList.toggle("gone", this.#isPosterGone);
     if (this.reveal === "interaction" && !this.#isPosterGone) {
       poster.tabIndex = 0;
@@ -597,9 +599,17 @@ export class VoxtraceViewer extends Attributes {
   /** Gives all memory back. */
   #free() {
     this.#life?.abort();
+    this.#clear();
+  }
+
+  /** Shows nothing. */
+  #clear() {
     this.#forget();
     this.#load = this.#again = undefined;
     clearTimeout(this.#speak);
+    this.#parts.message.hidden = true;
+    showProgress(this.#parts, null);
+    this.#say("");
     this.#blank();
   }
 
@@ -615,6 +625,7 @@ export class VoxtraceViewer extends Attributes {
   #blank() {
     const { canvas } = this.#parts;
     [canvas.width, canvas.height] = [1, 1];
+    this.#describe();
     canvas.classList.add("blank");
   }
 }

@@ -75,13 +75,15 @@ async function ask(url: URL, headers: Record<string, string>, signal: AbortSigna
   }
 }
 
-/** The bytes of an answer, which may end before it should. */
-async function bodyOf(response: Response, signal: AbortSignal): Promise<Uint8Array> {
-  try {
-    return new Uint8Array(await response.arrayBuffer());
-  } catch (error) {
+/** Of an answer that may end before it should. */
+function unbroken<T>(read: Promise<T>, signal: AbortSignal): Promise<T> {
+  return read.catch((error) => {
     throw signal.aborted ? error : new Error("the connection to the server broke off");
-  }
+  });
+}
+
+async function bodyOf(response: Response, signal: AbortSignal): Promise<Uint8Array> {
+  return new Uint8Array(await unbroken(response.arrayBuffer(), signal));
 }
 
 class RemoteParts implements Parts {
@@ -116,7 +118,7 @@ class RemoteParts implements Parts {
     const chunks = [this.head];
     let length = this.head.length;
     for (const reader = response.body!.getReader(); ; ) {
-      const { done, value } = await reader.read();
+      const { done, value } = await unbroken(reader.read(), signal);
       if (done) break;
       chunks.push(value);
       length += value.length;
@@ -149,14 +151,14 @@ class ArrivingParts implements Parts {
   async #pump(response: Response, signal: AbortSignal) {
     try {
       for (const reader = response.body!.getReader(); ; ) {
-        const { done, value } = await reader.read();
+        const { done, value } = await unbroken(reader.read(), signal);
         if (done) break;
         this.#chunks.push(value);
         this.#length += value.length;
         this.#tell();
       }
     } catch (error) {
-      this.#error = signal.aborted ? error : new Error("the connection to the server broke off");
+      this.#error = error;
     }
     this.#isDone = true;
     this.#tell();

@@ -82,9 +82,7 @@ class Streamer {
   async run() {
     for (let isFirst = true; ; isFirst = false) {
       try {
-        await this.#open(!isFirst);
-        await this.#follow();
-        return;
+        return await ((await this.#open(!isFirst)) ? this.#follow() : this.#plain());
       } catch (error) {
         const isLost = error instanceof Changed || (error instanceof Damaged && !!this.from.url);
         if (!isFirst || !isLost) throw error;
@@ -142,12 +140,12 @@ class Streamer {
     this.#shown = { key: "", bytes: 0, at: 0 };
   }
 
-  /** Up to the first picture. `isAnew` lets nothing of before count. */
-  async #open(isAnew: boolean) {
+  /** Up to the first picture; false where the file is none for streaming. `isAnew` lets nothing of before count. */
+  async #open(isAnew: boolean): Promise<boolean> {
     const { url, blob } = this.from;
     const { signal } = this.#life;
     this.#parts = blob ? await LocalParts.of(blob) : await partsOf(new URL(url!), (etag) => openCache(new URL(url!), etag, isAnew), signal);
-    if (!isStreamed(this.#parts.head)) throw new Plain();
+    if (!isStreamed(this.#parts.head)) return false;
     this.#layout = layoutOf(this.#parts.head, checksum);
     const { levels, head } = this.#layout;
     const start = levels.findIndex(({ chunks }) => chunks.end <= START);
@@ -160,6 +158,7 @@ class Streamer {
     this.#chunks = new Chunks(this.#stream.instances());
     await this.#addFront(this.#top);
     for (const chunk of this.#chunks.of(this.#top)) await this.#add(chunk, await this.#parts.read(chunk.start, chunk.end, signal));
+    return true;
   }
 
   /** Bytes that are kept or fetched, and then kept. */
@@ -389,14 +388,11 @@ class Streamer {
   }
 
   /** All bytes of a file that is none for streaming. */
-  async plain() {
+  async #plain() {
     const bytes = await this.#parts.all(this.#life.signal, (share) => send({ kind: "progress", share }));
     send({ kind: "plain", bytes }, [bytes.buffer as ArrayBuffer]);
   }
 }
-
-/** The file is none for streaming. */
-class Plain extends Error {}
 
 /** A file of which more than its head is there. */
 class Beginning implements Parts {
@@ -428,7 +424,7 @@ addEventListener("message", ({ data }: MessageEvent<ToStreamer>) => {
   const opened = (streamer = new Streamer(data));
   void (async () => {
     try {
-      await opened.run().catch((error) => (error instanceof Plain ? opened.plain() : Promise.reject(error)));
+      await opened.run();
     } catch (error) {
       send({ kind: "error", message: `${data.name}: ${error instanceof Error ? error.message : String(error)}` });
     }

@@ -56,7 +56,9 @@ export class Streaming {
   }
 
   async #start(pool: Pool, given: Given, events: Events) {
-    const [module, worker] = await Promise.all([pool.module("stream"), pool.worker("stream")]);
+    // Both at once; the worker is there to be ended before the module is, which may not come.
+    const module = pool.module("stream");
+    const worker = await pool.worker("stream");
     if (this.#isEnded) return worker.terminate();
     this.#worker = worker;
     worker.onerror = (event) => events.failed(new Error(event.message || "the script of the worker cannot be loaded"));
@@ -76,7 +78,7 @@ export class Streaming {
         events.failed(error);
       }
     };
-    this.#send({ kind: "open", module, ...given });
+    this.#send({ kind: "open", module: await module, ...given });
     if (this.#look) this.look(this.#look);
     if (this.#isPaused) this.pause(true);
   }

@@ -215,9 +215,12 @@ test("the picture of the scene before does not stay behind an error", async () =
   await event(page, "still");
   const opacity = () => page.evaluate(() => getComputedStyle(window.viewer.shadowRoot.querySelector("canvas")).opacity);
   assert.deepEqual([await opacity(), (await variance(page)) > 100], ["1", true]);
+  await page.evaluate(() => window.viewer.removeAttribute("alt"));
+  const label = () => page.evaluate(() => window.viewer.shadowRoot.querySelector("canvas").ariaLabel);
+  assert.equal(await label(), "Voxels: city");
   await page.evaluate(() => (window.viewer.src = "/files/nothing.vox"));
   await event(page, "error");
-  assert.deepEqual([await opacity(), await variance(page)], ["0", 0]);
+  assert.deepEqual([await opacity(), await variance(page), await label()], ["0", 0, "Voxels"]);
   await page.close();
 });
 
@@ -236,6 +239,46 @@ test("a picture has the pixels of the screen where that changes alone, and is dr
   await session.send("Emulation.setDeviceMetricsOverride", { width: 640, height: 480, deviceScaleFactor: 2, mobile: false });
   const { width, height } = await event(page, "still", 1);
   assert.deepEqual([width, height], [640, 360]);
+  await page.close();
+});
+
+test("a poster whose address is none hinders nothing, and one beside the page is found", async () => {
+  const page = await open({ ...SCENE, reveal: "manual", poster: "http://[" });
+  await event(page, "load");
+  const picture = () => page.evaluate(() => getComputedStyle(window.viewer.shadowRoot.querySelector(".poster")).backgroundImage);
+  assert.deepEqual([page.errors, await count(page, "error")], [[], 0]);
+  await page.evaluate(() => (window.viewer.poster = 'poster "1".png?(2)'));
+  assert.equal(await picture(), `url("${context.server.address}/test/poster%20%221%22.png?(2)")`);
+  await page.evaluate(() => (window.viewer.poster = ""));
+  assert.equal(await picture(), "none");
+  await page.close();
+});
+
+test("a source that is taken away takes its scene along, also on its way", async () => {
+  const { alt, ...scene } = SCENE;
+  const page = await open(scene);
+  await event(page, "still");
+  const state = () =>
+    page.evaluate(() => {
+      const { loaded, scene, shadowRoot } = window.viewer;
+      const [canvas, bar, message] = ["canvas", ".bar", ".message"].map((query) => shadowRoot.querySelector(query));
+      return [loaded, scene, canvas.width, canvas.ariaLabel, bar.hidden, message.hidden];
+    });
+  const nothing = [false, undefined, 1, "Voxels", true, true];
+  await page.evaluate(() => window.viewer.removeAttribute("src"));
+  assert.deepEqual(await state(), nothing);
+  assert.ok(await comes(() => page.workers().length === 0), "nobody keeps memory for what is not shown");
+  // One that arrives, and one that could not be shown.
+  await setAttributes(page, { src: "/files/city.vox?rate=1000" });
+  await page.waitForFunction(() => window.events.at(-1).detail.totalProgress > 0);
+  await setAttributes(page, { src: "" });
+  assert.deepEqual(await state(), nothing);
+  await setAttributes(page, { src: "/files/nothing.vox" });
+  await event(page, "error");
+  await setAttributes(page, { src: "" });
+  assert.deepEqual(await state(), nothing);
+  await page.waitForTimeout(300);
+  assert.deepEqual([await count(page, "load"), await count(page, "error"), page.errors], [1, 1, []]);
   await page.close();
 });
 

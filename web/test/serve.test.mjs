@@ -27,6 +27,9 @@ before(async () => {
   for (const scene of ["city", "church", "operating-room"]) run("convert", scene, join(folder, `${scene}.vxt`), "--voxels", "200k");
   run("convert", "city", join(folder, "older/town.vox"), "--voxels", "20k");
   run("convert", join(folder, "older/town.vox"), join(folder, "older/town.glb"));
+  // Slices of a scan, in a folder that is called like a file.
+  mkdirSync(join(folder, "older/slices.vox"));
+  for (const number of [1, 2, 3]) copyFileSync(join(web, "test/poster.png"), join(folder, `older/slices.vox/${number}.png`));
   writeFileSync(join(folder, "damaged.vox"), readFileSync(join(folder, "older/town.vox")).subarray(0, 300));
   server = await start("--web", join(web, "dist"));
 });
@@ -119,6 +122,35 @@ const picture = (page, after = 0) =>
 /** The last picture of a view that moved, once there was one after another picture: it may be gone by now. */
 const moved = (page, after) =>
   page.waitForFunction((after) => window.seen.findLast(({ kind, frame }) => kind === "jpeg" && Number(frame) > after), after).then((found) => found.jsonValue());
+
+test("a folder that is called like a file comes to the page as voxels, too", async () => {
+  const page = await visit("#/scene/older/slices.vox");
+  await page.waitForFunction(() => document.querySelector("voxtrace-viewer")?.film()?.samples >= 1);
+  await page.getByText("a folder", { exact: true }).waitFor();
+  await close(page);
+});
+
+test("where the viewer does not come, or a thumbnail is cut off, that is told", async () => {
+  const page = await visit("");
+  await page.route("**/element/voxtrace.js", (route) => route.abort());
+  // The first ones end before they should; the others come all the same.
+  await page.addInitScript(() => {
+    const { blob } = Response.prototype;
+    window.cut = 2;
+    Response.prototype.blob = function () {
+      return window.cut-- > 0 ? Promise.reject(new TypeError("cut off")) : blob.call(this);
+    };
+  });
+  await page.reload();
+  await page.waitForFunction(() => document.querySelectorAll(".thumbnail :is(img, .alarm)").length === 4);
+  assert.equal(await page.locator(".thumbnail .alarm").filter({ hasText: "the server cannot be reached" }).count(), 2);
+  await page.evaluate(() => (location.hash = "#/scene/older/town.vox"));
+  await page.getByRole("alert").filter({ hasText: "This page cannot trace: " }).waitFor();
+  await page.getByLabel("The server").check();
+  await page.waitForFunction(() => document.querySelector(".stage canvas")?.dataset.frame);
+  assert.deepEqual([await page.getByRole("alert").count(), page.errors.filter((error) => !/ERR_FAILED/.test(error))], [0, []]);
+  await page.close();
+});
 
 test("the server traces: soon while the view moves, and the pixels of render when it stands", async () => {
   const page = await visit("#/scene/city.vxt", { viewport: { width: 800, height: 480 } });

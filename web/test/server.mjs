@@ -9,7 +9,7 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "applic
 /**
  * Serves `mounts` (a path below which each folder lies); gives the address, the paths asked for, all answers (path, range, bytes sent, whether the client went away), and
  * how to end it. `faults` is a function that tests set: it is given each request (path, start, end) and may give `{ status }`, `{ etag }`, `{ cut: BYTES }`, `{ flip: BYTE }`,
- * `{ hold: { at: BYTE, until: PROMISE } }`, which sends what follows that byte when the promise is kept.
+ * `{ hold: { at: BYTE, until: PROMISE } }`, which sends what follows that byte when the promise is kept, and `{ breaks: BYTE }`, where the connection ends behind that byte.
  */
 export async function serve(mounts) {
   const asked = [];
@@ -56,7 +56,10 @@ export async function serve(mounts) {
       at += chunk.length;
       answer.sent += chunk.length;
       const isFull = !response.write(chunk);
-      if (fault.hold && at >= fault.hold.at) {
+      if (at > fault.breaks) {
+        stream.pause();
+        setTimeout(() => response.destroy(), 50);
+      } else if (fault.hold && at >= fault.hold.at) {
         stream.pause();
         void fault.hold.until.then(() => stream.resume());
       } else if (rate) {

@@ -264,6 +264,19 @@ test("what goes wrong on the way is told in one line, and the picture stays", as
   }
 });
 
+test("where the module that follows files does not come, that is told, and no worker stays", async () => {
+  const page = await open({ ...SCENE, src: "" }, size);
+  const started = page.waitForEvent("worker");
+  await page.route("**/stream.wasm", async (route) => {
+    await started;
+    await route.fulfill({ status: 404 });
+  });
+  await page.evaluate(() => (window.viewer.src = "/files/city.vxt"));
+  assert.match(await failure(page), /stream\.wasm: the server answers 404/);
+  assert.ok(await comes(() => page.workers().length === 0), "nobody keeps memory for what is not shown");
+  await page.close();
+});
+
 test("of a scene that does not fit there is what the view needs, in bounded memory", async () => {
   const from = now();
   const page = await open({ ...SCENE, src: "/files/city.vxt", "max-memory": "8", threads: "1" }, { width: 320, height: 180 });

@@ -18,7 +18,7 @@ const path = (name) => join(folder, name);
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "voxtrace-streamer-"));
   run("convert", "city", path("city.vxt"), "--voxels", "1M", "--stream");
-  run("convert", "city", path("plain.vxt"), "--voxels", "50k");
+  run("convert", "city", path("plain.vxt"), "--voxels", "200k");
   hash = JSON.parse(run("info", path("city.vxt"), "--json")).content_hash;
   module = new WebAssembly.Module(readFileSync(join(web, "dist/stream.wasm")));
   server = await serve({ "/": folder });
@@ -88,12 +88,16 @@ test("of a scene that does not fit there is a cut through its levels", async () 
 });
 
 test("what is wrong with servers and files is one line", async () => {
-  const after = (what) => ({ start }) => (start > 100_000 ? what : undefined);
+  const after = (what, from = 100_000) => ({ start }) => (start > from ? what : undefined);
   const cases = [
     ["city.vxt", after({ status: 500 }), /^city\.vxt: the server answers 500/],
     ["city.vxt", after({ cut: 100 }), /^city\.vxt: the server sent 100 of \d+ bytes \(at byte \d+\)$/],
     ["city.vxt", after({ flip: statSync(path("city.vxt")).size - 9000 }), /^city\.vxt: .*chunk \d+ of level 0 is damaged: /],
     ["city.vxt", ({ start }) => ({ etag: `"${start}"` }), /^city\.vxt: the file on the server changed while it was read$/],
+    // Of a plain file all that follows its head comes in one answer.
+    ["plain.vxt", after({ breaks: 70_000 }, 0), /^plain\.vxt: the connection to the server broke off$/],
+    ["plain.vxt?whole", () => ({ breaks: 70_000 }), /^plain\.vxt\?whole: the connection to the server broke off$/],
+    ["plain.vxt", ({ start }) => ({ etag: `"${start}"` }), /^plain\.vxt: the file on the server changed while it was read$/],
     ["none.vxt", undefined, /^none\.vxt: the server answers 404 Not Found$/],
     ["empty.vxt", undefined, /^empty\.vxt: the file is empty$/],
     ["table.vxt", undefined, /^table\.vxt: truncated or damaged: the checksum of the section table does not match$/],
@@ -113,4 +117,8 @@ test("what is wrong with servers and files is one line", async () => {
   let changed = false;
   const { last } = await follow("city.vxt", { faults: ({ start }) => ({ etag: (changed ||= start > 100_000) ? '"new"' : '"old"' }) });
   assert.ok(last.detail.isExact && last.hash === hash);
+  // So is a plain one.
+  changed = false;
+  const plain = await follow("plain.vxt", { faults: ({ start }) => ({ etag: (changed ||= start > 0) ? '"new"' : '"old"' }) });
+  assert.ok(readFileSync(path("plain.vxt")).equals(Buffer.from(plain.last.bytes ?? [])), plain.last.message);
 });

@@ -29,6 +29,12 @@ impl BlockArgs {
         self.block_size > BlockSize::One
     }
 
+    /// Options that are given, which are for blocks alone.
+    pub fn asked(&self) -> impl Iterator<Item = &'static str> {
+        let asked = [("--block-size", self.have_shapes()), ("--resource-pack", self.resource_pack.is_some())];
+        asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
+    }
+
     /// How blocks become voxels; `shell` drops what nobody sees of them.
     pub fn options(&self, shell: bool) -> BlockOptions {
         BlockOptions { size: self.block_size, resource_pack: self.resource_pack.clone(), shell }

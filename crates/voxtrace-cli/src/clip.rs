@@ -26,6 +26,9 @@ const MOST_GIF_RATE: f64 = 50.0;
 /// Pixels of the shortest edge that the builtin encoder of MP4 takes.
 const LEAST_EDGE_OF_BUILTIN: u32 = 16;
 
+/// Quality of MP4 where none is said.
+const DEFAULT_QUALITY: u8 = 80;
+
 /// Options about clips.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Clip")]
@@ -34,7 +37,7 @@ pub struct ClipArgs {
     #[arg(long, value_name = "NAME")]
     encoder: Option<EncoderArg>,
     /// Quality of .mp4, from 0 to 100
-    #[arg(long, value_name = "N", default_value = "80", value_parser = clap::value_parser!(u8).range(0..=100))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_QUALITY, value_parser = clap::value_parser!(u8).range(0..=100))]
     clip_quality: u8,
     /// Keep the frames of a clip, in the folder CLIP.frames beside it
     #[arg(long)]
@@ -77,6 +80,18 @@ impl ClipArgs {
             return Err(Failure::usage(what).hint("a larger --size, or -o clip.gif or clip.png"));
         }
         Ok(())
+    }
+
+    /// Says which options mean nothing to the clips that are made.
+    pub fn warn_of_needless(&self, clips: &[PathBuf], report: &Report) {
+        let has_mp4 = clips.iter().any(|clip| ClipFormat::of(clip) == Some(ClipFormat::Mp4));
+        let asked = [(self.encoder.is_some(), "--encoder"), (self.clip_quality != DEFAULT_QUALITY, "--clip-quality")];
+        for (_, option) in asked.iter().filter(|(is_asked, _)| *is_asked && !has_mp4) {
+            report.warn(&format!("{option} is for MP4, and there is none: add -o NAME.mp4"));
+        }
+        if self.keep_frames && clips.is_empty() {
+            report.warn("--keep-frames is for clips, and there is none: frames that are named are kept anyway");
+        }
     }
 
     fn encoder(&self) -> Result<EncoderArg, Failure> {

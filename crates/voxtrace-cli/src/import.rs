@@ -93,6 +93,7 @@ impl ImportArgs {
 
     /// Reads a file and says what was left out.
     pub fn read(&self, opened: Opened, path: &Path, report: &Report) -> Result<Data, Failure> {
+        let (kind, has_blocks) = (opened.reader().kind, opened.reader().name.starts_with("Minecraft"));
         let data = read_while(interrupt::watch(), || opened.read());
         // What a decoder makes of a reading that was stopped tells nothing.
         interrupt::check()?;
@@ -102,6 +103,14 @@ impl ImportArgs {
         }
         for note in data.notes() {
             report.warn(&format!("{}: {note}", path.display()));
+        }
+        if matches!(kind, Kind::Scene | Kind::Packed) {
+            let why = format!("{} says itself which way is up and how large its voxels are", path.display());
+            warn_of_needless(self.mesh.only_for_foreign(), &why, report);
+        }
+        if !has_blocks {
+            let why = format!("{} holds no blocks of Minecraft", path.display());
+            warn_of_needless(self.blocks.asked(), &why, report);
         }
         report.leave_out(parts_not_shown(data.notes()));
         if let Data::Geometry(geometry) = &mut data {
@@ -113,15 +122,8 @@ impl ImportArgs {
     /// Makes a scene of what a file holds.
     pub fn scene(&self, data: Data, path: &Path, report: &mut Report) -> Result<Content, Failure> {
         if matches!(data, Data::Packed(_) | Data::Voxels(_)) {
-            let needless: Vec<_> = self.mesh.only_for_others().chain(self.volume.only_for_volumes()).collect();
-            if !needless.is_empty() {
-                let verb = if needless.len() == 1 { "changes" } else { "change" };
-                let needless = needless.join(", ");
-                report.warn(&format!(
-                    "{needless} {verb} nothing: the voxels of {} are taken as they are",
-                    path.display()
-                ));
-            }
+            let needless = self.mesh.only_for_others().chain(self.volume.only_for_volumes());
+            warn_of_needless(needless, &format!("the voxels of {} are taken as they are", path.display()), report);
         }
         let scene = match data {
             Data::Packed(packed) => return Ok(Content::Packed(packed)),
@@ -131,6 +133,13 @@ impl ImportArgs {
             _ => return Err(Failure::other(format!("{}: another kind of content", path.display()))),
         };
         Ok(Content::Scene(scene.into()))
+    }
+
+    /// Says which options change nothing of a built-in scene.
+    pub fn warn_of_built_in(&self, name: &str, report: &Report) {
+        let of_files = self.mesh.only_for_others().chain(self.volume.only_for_volumes());
+        let needless = of_files.chain(self.mesh.only_for_foreign()).chain(self.blocks.asked());
+        warn_of_needless(needless, &format!("{name} is made, and not read from a file"), report);
     }
 
     /// Loads a scene from a file, or from several that are one, as it is; `keep` gets what it holds.
@@ -182,5 +191,15 @@ impl ImportArgs {
         let mut scene = content.into_scene();
         self.edits.apply(&mut scene, &self.mesh, report)?;
         Ok(Content::Scene(scene.into()))
+    }
+}
+
+/// Says which options change nothing, and why. Once is enough: a benchmark loads a scene again and again.
+pub fn warn_of_needless(options: impl Iterator<Item = &'static str>, why: &str, report: &Report) {
+    let options: Vec<&str> = options.collect();
+    let verb = if options.len() == 1 { "changes" } else { "change" };
+    let warning = format!("{} {verb} nothing: {why}", options.join(", "));
+    if !options.is_empty() && !report.warnings().contains(&warning) {
+        report.warn(&warning);
     }
 }

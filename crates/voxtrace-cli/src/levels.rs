@@ -69,6 +69,7 @@ impl LevelsArg {
         if self.levels.is_none()
             && !self.stream
             && is_native(input)
+            && input.is_file()
             && Levels::open(input).is_ok_and(|levels| levels.count() > 0)
         {
             report.remark("levels of detail are left out; --levels makes them anew");

@@ -15,7 +15,7 @@ use voxtrace::{PackedScene, scenes};
 /// A scene on the command line.
 #[derive(clap::Args, Clone, Debug)]
 pub struct SceneArgs {
-    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene. Several LAS or LAZ files are one cloud
+    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene. Several LAS or LAZ files are one cloud, several meshes one mesh
     #[arg(value_name = "SCENE", required = true)]
     pub scenes: Vec<String>,
     /// Size of a built-in scene, for example 500000, 500k or 13.6M voxels
@@ -127,8 +127,8 @@ impl SceneArgs {
 
     /// The name that outputs are called after.
     pub fn stem(&self) -> String {
-        let stem = Path::new(self.scene()).file_stem();
-        let stem = stem.map_or_else(|| self.scene().to_owned(), |stem| stem.to_string_lossy().into_owned());
+        let path = named(Path::new(self.scene()));
+        let stem = path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
         // `head.nii.gz` is `head`.
         stem.strip_suffix(".nii").map_or(stem.clone(), str::to_owned)
     }
@@ -153,6 +153,7 @@ impl SceneArgs {
             self.import.volume.overlays.refuse(Path::new(scene))?;
             self.import.mesh.refuse_choice_of_points(Path::new(scene))?;
             self.import.heights.refuse(scene)?;
+            self.import.warn_of_built_in(scene, report);
             let made = match self.instances {
                 Some(instances) if scene == scenes::FOREST => {
                     scenes::generate_forest_while(instances, &interrupt::watch())
@@ -178,9 +179,15 @@ impl SceneArgs {
             return levels::open(Path::new(scene), level, self.memory.in_memory)
                 .map(|scene| Content::Packed(scene.into()));
         }
-        let paths: Vec<PathBuf> = self.scenes.iter().map(PathBuf::from).collect();
+        let paths: Vec<PathBuf> = self.scenes.iter().map(|scene| named(Path::new(scene))).collect();
         self.import.load_keeping(&paths, self.memory.in_memory, keep, report)
     }
+}
+
+/// A path that ends in a name, which scenes and outputs are called after: folders such as `.` and `a/..` under their own.
+pub fn named(path: &Path) -> PathBuf {
+    let own = || std::fs::canonicalize(path).ok();
+    path.file_name().is_none().then(own).flatten().unwrap_or_else(|| path.to_owned())
 }
 
 /// The first of so many files, and how many more there are.

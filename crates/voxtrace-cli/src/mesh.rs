@@ -62,7 +62,7 @@ pub struct MeshArgs {
     /// Dither between colours of the palette (for at most 1024 colours)
     #[arg(long, help_heading = "Any scene")]
     pub dither: bool,
-    /// Lift the limits on size, counts and compression ratio that protect from hostile files; only that on nesting stays
+    /// Lift the limits on size, counts and compression ratio that protect from hostile files; that on nesting stays, and what a format has no room for
     #[arg(long)]
     trusted: bool,
 }
@@ -113,6 +113,11 @@ fn up_axis_help() -> String {
 }
 
 impl MeshArgs {
+    /// The options that change what is made of a file. Limits refuse one, or they do not.
+    pub fn without_limits(&self) -> Self {
+        Self { trusted: false, ..self.clone() }
+    }
+
     /// How files are read.
     pub fn import_options(&self) -> ImportOptions {
         let most = u64::MAX;
@@ -170,10 +175,17 @@ impl MeshArgs {
         let asked = [
             ("--resolution", self.resolution.is_some()),
             ("--voxel-size", self.voxel_size.is_some()),
+            ("--surface", matches!(self.surface, SurfaceArg::Thin)),
             ("--fill", self.fill),
             ("--color-by", !matches!(self.color_by, ColorArg::Auto)),
             ("--min-points", self.min_points > 1),
         ];
+        asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
+    }
+
+    /// Options that are given and say what scenes that say everything about themselves do not ask for: which way is up, and how large things are.
+    pub fn only_for_foreign(&self) -> impl Iterator<Item = &'static str> {
+        let asked = [("--up-axis", self.up_axis.is_some()), ("--unit", self.unit.is_some())];
         asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
     }
 

@@ -32,8 +32,14 @@ pub fn exposure(text: &str) -> Result<f32, String> {
     if stops.abs() <= 64.0 { Ok(stops) } else { Err("from -64 to 64 stops are possible".into()) }
 }
 
+/// The options about tone mapping that say something else than they do by themselves.
+pub fn tone_options(exposure: f32, tone_map: OperatorArg) -> impl Iterator<Item = &'static str> {
+    let options = [(exposure != 0.0, "--exposure"), (tone_map != OperatorArg::Agx, "--tone-map")];
+    options.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, option)| option)
+}
+
 /// [`Operator`] as an option.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum OperatorArg {
     /// S-curve over 16.5 stops, highlights desaturate as on film
     Agx,
@@ -107,6 +113,17 @@ impl PictureArgs {
     /// Whether a picture is written, not films alone.
     pub fn has_picture(&self) -> bool {
         self.output.iter().any(|path| PictureFormat::of(path).is_some_and(|format| format != PictureFormat::Film))
+    }
+
+    /// Says which options mean nothing to the files that are written, so that nobody takes them for done.
+    pub fn warn_of_needless(&self, report: &Report) {
+        let has_png = self.output.iter().any(|path| PictureFormat::of(path) == Some(PictureFormat::Png));
+        for option in tone_options(self.exposure, self.tone_map).filter(|_| !has_png) {
+            report.warn(&format!("{option} is for PNG, and there is none: add -o NAME.png"));
+        }
+        if self.bit_depth.is_some() && !self.has_picture() {
+            report.warn("--bit-depth is for PNG and EXR, and there is none: add -o NAME.png or NAME.exr");
+        }
     }
 
     /// Whether an output holds more than the picture: AOVs, and the light of groups.

@@ -16,6 +16,9 @@ pub fn import_failure(error: &ImportError) -> Failure {
             failure.hint("the file is damaged; try to export it again")
         }
         ImportErrorKind::NothingChosen(_) => failure.hint("--classes and --bounds say which points are read"),
+        ImportErrorKind::OtherTiles(what) if what.ends_with("have different units") => {
+            failure.hint("--unit says the one that the numbers of all of them are in")
+        }
         ImportErrorKind::OtherTiles(_) => failure.hint("make a scene of each, or name the files that belong together"),
         ImportErrorKind::Native(_) => failure.hint("convert the scene again with this version of voxtrace"),
         ImportErrorKind::Stopped => interrupt::failure(),
@@ -69,5 +72,15 @@ mod tests {
         for lifted in ["voxels", "voxels of the whole box", "bytes of input", "points", "bytes of a chunk"] {
             assert!(told(lifted).contains("--trusted lifts it"), "{}", told(lifted));
         }
+    }
+
+    #[test]
+    fn meshes_of_different_units_are_told_with_the_option_that_gives_them_one() {
+        let told = |what: &str| {
+            let kind = ImportErrorKind::OtherTiles(what.into());
+            import_failure(&ImportError::of_file(Path::new("a.glb"), kind)).line()
+        };
+        assert!(told("a and b have different units").contains("--unit"));
+        assert!(told("the tile is in the reference system A, and b.laz is in B").contains("belong together"));
     }
 }

@@ -95,7 +95,7 @@ impl SurroundingsArgs {
             None => None,
             Some(BackgroundOption::Color(color)) => Some(color),
             Some(BackgroundOption::OfFile) => {
-                Some(own.background.ok_or_else(|| lacks("background", "--background #303030"))?)
+                Some(own.background.ok_or_else(|| lacks("background", "--background '#303030'"))?)
             }
         };
         Ok(Surroundings { ground, fog, background })

@@ -2,12 +2,16 @@
 
 use crate::cluster::ClusterTracer;
 use crate::failure::Failure;
+use crate::import::warn_of_needless;
 use crate::parse;
 use crate::report::Report;
 use crate::session::trace_failure;
 use std::sync::Arc;
 use voxtrace::{PackedScene, Tracer};
 use voxtrace_vulkan::{Primitive, Request, Traversal, choose_for};
+
+/// What names the device where no option does.
+const DEVICE_VARIABLE: &str = "VOXTRACE_DEVICE";
 
 /// Options about the device and how it finds voxels.
 #[derive(clap::Args, Clone, Debug)]
@@ -20,7 +24,7 @@ pub struct TracerArgs {
     #[arg(long, value_name = "NAME")]
     primitive: Option<PrimitiveArg>,
     /// Device by its number or a part of its name, as `voxtrace devices` lists them; several share the picture by their numbers, as 0,1 (or 0,1,cpu), or all GPUs by the word all
-    #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true)]
+    #[arg(long, value_name = "DEVICE", env = DEVICE_VARIABLE, hide_env_values = true)]
     device: Option<String>,
     /// Relax the rules of rounding on the GPU: faster, but no longer bit for bit the CPU's picture
     #[arg(long)]
@@ -82,17 +86,38 @@ impl TracerArgs {
                 Some(_) => return Err(Failure::usage("with --cluster the only --traversal to choose is cpu")),
                 None => self.device.as_deref().unwrap_or("auto"),
             };
+            self.warn_of_needless(None, report);
             report.remark(&format!("tracing on the workers of {address}"));
             let mut tracer = ClusterTracer::new(address, device).map_err(trace_failure)?;
             tracer.set_scene(scene).map_err(trace_failure)?;
             return Ok(Box::new(tracer));
         }
         let choice = choose_for(&self.request(), scene).map_err(trace_failure)?;
+        self.warn_of_needless(Some(choice.traversal), report);
         match &choice.warning {
             Some(warning) => report.warn(warning),
             None => report.remark(&choice.reason),
         }
         Ok(choice.tracer)
+    }
+
+    /// Says which options mean nothing to what traces, where that is known. What was not asked for by name may be another one on the next machine:
+    /// there they are for the devices that it has.
+    fn warn_of_needless(&self, traversal: Option<Traversal>, report: &Report) {
+        if matches!(self.traversal, Some(TraversalArg::Cpu)) {
+            // The variable is for all runs.
+            let is_of_variable = self.device.as_deref() == std::env::var(DEVICE_VARIABLE).ok().as_deref();
+            let asked = [
+                (self.primitive.is_some(), "--primitive"),
+                (self.device.is_some() && !is_of_variable, "--device"),
+                (self.fast, "--fast"),
+                (self.memory_budget.is_some(), "--memory-budget"),
+            ];
+            let needless = asked.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, name)| name);
+            warn_of_needless(needless, "the CPU traces, as --traversal asks for", report);
+        } else if self.primitive.is_some() && traversal.is_some_and(|traversal| !traversal.uses_primitives()) {
+            warn_of_needless(std::iter::once("--primitive"), "it is for --traversal query and pipeline", report);
+        }
     }
 
     /// What of it changes pictures, and not only the time that they take: whether rounding is relaxed and whether hits are approximate.

@@ -37,7 +37,7 @@ pub struct ViewArgs {
     #[command(flatten)]
     pub place: PlaceArgs,
     /// Turn the camera around its target, once in N frames [default: the number of frames rendered]
-    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0")]
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0", value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     pub turntable: Option<u32>,
     /// Fly through the cameras of a TOML file, the tables [bookmarks.1] and on as the window keeps them, at constant speed
     #[arg(long, value_name = "TOML", conflicts_with_all = ["camera", "camera_file", "turntable", "eye", "target", "up"])]

@@ -196,6 +196,7 @@ impl VolumeArgs {
             ("--series", self.series.is_some()),
             ("--channel", self.channel.is_some()),
             ("--time", self.time.is_some()),
+            ("--spacing", self.spacing.is_some()),
         ];
         asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
     }

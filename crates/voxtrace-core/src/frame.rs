@@ -12,6 +12,9 @@ use voxtrace_scene::camera::Camera;
 /// Most pixels of the region of a frame, and so of a film: 16,384², 8 GiB of sums.
 pub const MAX_PIXELS: u64 = 1 << 28;
 
+/// Most bounces of a path: what tracers count exceeds it by a little and must fit 32 bits, and hardly any path comes near it.
+const MOST_BOUNCES: u32 = u16::MAX as u32;
+
 /// What to render: view, size, samples and how light is computed. [`Frame::new`] makes one, its methods change it:
 ///
 /// ```
@@ -40,7 +43,7 @@ pub struct Frame {
     /// Seed of the random numbers.
     pub seed: u32,
     /// Most surfaces that scatter one path, so that it has at most one ray more than that (the study: 3 and 4); 0 gives a
-    /// picture of the sky and the lights alone.
+    /// picture of the sky and the lights alone. At most 65,535.
     pub max_bounces: u32,
     /// How light is computed.
     pub integrator: Integrator,
@@ -128,7 +131,7 @@ impl Frame {
         Self { seed, ..self }
     }
 
-    /// Most surfaces that scatter one path.
+    /// Most surfaces that scatter one path, up to 65,535.
     #[must_use]
     pub fn max_bounces(self, max_bounces: u32) -> Self {
         Self { max_bounces, ..self }
@@ -214,6 +217,9 @@ impl Frame {
         }
         if self.first_sample.checked_add(self.samples).is_none() {
             return bad("sample numbers exceed 2³²");
+        }
+        if self.max_bounces > MOST_BOUNCES {
+            return bad("a path has at most 65,535 bounces");
         }
         if self.light_group != LightGroup::All && self.integrator == Integrator::Essay {
             return bad("the integrator essay knows no light groups");
@@ -306,5 +312,15 @@ mod tests {
         assert!(says(&frame.clone().region(Region { x0: 43_615, ..square }), "2²⁸"));
         assert_eq!(frame.clone().size(16_384, 16_384).check(), Ok(()));
         assert!(says(&frame.size(65_536, 65_536).region(square), "2³²"));
+    }
+
+    #[test]
+    fn bounces_have_a_limit_so_that_what_tracers_count_fits() {
+        let frame = Frame::new(Camera::look_at(Vec3::X, Vec3::ZERO), 4, 4);
+        assert_eq!(frame.clone().max_bounces(65_535).check(), Ok(()));
+        for bounces in [65_536, u32::MAX - 63, u32::MAX] {
+            let error = frame.clone().max_bounces(bounces).check().unwrap_err().to_string();
+            assert!(error.contains("at most 65,535 bounces"), "{bounces}: {error}");
+        }
     }
 }

@@ -38,6 +38,9 @@ pub enum OidnError {
     /// The library reports an error.
     #[error("Open Image Denoise: {0}")]
     Failed(String),
+    /// Nobody waits for it any more: see [`Oidn::denoise_while`].
+    #[error("the picture without noise is not wanted any more")]
+    Stopped,
 }
 
 /// `OIDN_DEVICE_TYPE_CPU`.
@@ -47,6 +50,8 @@ const FORMAT_FLOAT3: c_int = 3;
 
 type Device = *mut c_void;
 type Filter = *mut c_void;
+/// `OIDNProgressMonitorFunction`: is given what was set beside it and the share that is done, and returns whether to go on.
+type Monitor = unsafe extern "C" fn(*mut c_void, f64) -> bool;
 
 /// The functions that are called, as `oidn.h` declares them.
 struct Functions {
@@ -58,6 +63,7 @@ struct Functions {
     new_filter: unsafe extern "C" fn(Device, *const c_char) -> Filter,
     set_image: unsafe extern "C" fn(Filter, *const c_char, *mut c_void, c_int, usize, usize, usize, usize, usize),
     set_filter_bool: unsafe extern "C" fn(Filter, *const c_char, bool),
+    set_monitor: unsafe extern "C" fn(Filter, Monitor, *mut c_void),
     commit_filter: unsafe extern "C" fn(Filter),
     execute_filter: unsafe extern "C" fn(Filter),
     release_filter: unsafe extern "C" fn(Filter),
@@ -118,6 +124,22 @@ impl Oidn {
         albedo: &[Vec3],
         normal: &[Vec3],
     ) -> Result<Vec<Vec3>, OidnError> {
+        self.denoise_while((width, height), color, albedo, normal, &|| true)
+    }
+
+    /// As [`Self::denoise`], of a picture of this width and height, as long as it is `wanted`, which is asked now and then, on several threads, and which says no
+    /// for good.
+    ///
+    /// # Errors
+    /// As [`Self::denoise`]; [`OidnError::Stopped`] once it is not wanted any more.
+    pub fn denoise_while(
+        &self,
+        (width, height): (usize, usize),
+        color: &[Vec3],
+        albedo: &[Vec3],
+        normal: &[Vec3],
+        wanted: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<Vec3>, OidnError> {
         let expected = width.saturating_mul(height);
         if let Some(found) = [color, albedo, normal].map(<[Vec3]>::len).into_iter().find(|&found| found != expected) {
             return Err(OidnError::Size { expected, found });
@@ -149,12 +171,19 @@ impl Oidn {
         image(c"output", output.as_mut_ptr().cast());
         // SAFETY: the filter is one of the device's, its images are set.
         unsafe { (call.set_filter_bool)(filter.raw, c"hdr".as_ptr(), true) };
+        // SAFETY: the filter is one of the device's; `wanted` outlives it, and any thread may call it.
+        unsafe { (call.set_monitor)(filter.raw, goes_on, (&raw const wanted).cast_mut().cast()) };
         // SAFETY: as above.
         unsafe { (call.commit_filter)(filter.raw) };
         self.check(device.raw)?;
         // SAFETY: as above; it returns when the output is written.
         unsafe { (call.execute_filter)(filter.raw) };
-        self.check(device.raw)?;
+        let checked = self.check(device.raw);
+        // Then the library reports that it was cancelled.
+        if !wanted() {
+            return Err(OidnError::Stopped);
+        }
+        checked?;
         drop(filter);
         Ok(output)
     }
@@ -172,6 +201,13 @@ impl Oidn {
         // SAFETY: as above, and not null.
         Err(OidnError::Failed(unsafe { CStr::from_ptr(message) }.to_string_lossy().into_owned()))
     }
+}
+
+/// Answers the library whether somebody waits for its picture: `wanted` is the address of what `denoise_while` was given.
+unsafe extern "C" fn goes_on(wanted: *mut c_void, _done: f64) -> bool {
+    // SAFETY: it points there, and that lives until the filter is done.
+    let wanted = unsafe { &*wanted.cast::<&(dyn Fn() -> bool + Sync)>() };
+    wanted()
 }
 
 /// The first library that is one, of those at some places: version 1, which systems still have, must not hide another that was installed.
@@ -229,6 +265,7 @@ impl Functions {
             new_filter: function!(b"oidnNewFilter\0"),
             set_image: function!(b"oidnSetSharedFilterImage\0"),
             set_filter_bool: function!(b"oidnSetFilterBool\0"),
+            set_monitor: function!(b"oidnSetFilterProgressMonitorFunction\0"),
             commit_filter: function!(b"oidnCommitFilter\0"),
             execute_filter: function!(b"oidnExecuteFilter\0"),
             release_filter: function!(b"oidnReleaseFilter\0"),

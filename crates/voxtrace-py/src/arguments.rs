@@ -6,6 +6,7 @@ use numpy::{Element, PyArray, PyArrayMethods, PyReadonlyArray, dtype};
 use pyo3::exceptions::{PyIndexError, PyOverflowError};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
+use std::fmt::Display;
 use voxtrace::Transform;
 use voxtrace::glam::{DVec3, IVec3, Mat3, Vec3};
 use voxtrace::material::linear_color;
@@ -51,6 +52,102 @@ impl<'py> FromPyObject<'_, 'py> for Index {
             true => PyIndexError::new_err(format!("{} is the number of nothing: there cannot be so many", *object)),
             false => error,
         })
+    }
+}
+
+/// A whole number that an argument may have no room for: [`Self::of`] says then which argument that is, and what it takes.
+#[derive(Clone, Debug)]
+pub enum Number<T> {
+    /// It fits.
+    Fits(T),
+    /// It does not: the number, as people read it.
+    OutOfRange(String),
+}
+
+/// Types of whole numbers.
+pub trait Whole: Copy + PartialOrd + Display {
+    /// The largest number.
+    const MOST: Self;
+}
+
+impl Whole for u16 {
+    const MOST: Self = Self::MAX;
+}
+
+impl Whole for u32 {
+    const MOST: Self = Self::MAX;
+}
+
+impl Whole for u64 {
+    const MOST: Self = Self::MAX;
+}
+
+impl Whole for usize {
+    const MOST: Self = Self::MAX;
+}
+
+impl Whole for i64 {
+    const MOST: Self = Self::MAX;
+}
+
+impl<'a, 'py, T: FromPyObject<'a, 'py>> FromPyObject<'a, 'py> for Number<T> {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        object.extract::<T>().map(Self::Fits).or_else(|error| {
+            let error: PyErr = error.into();
+            match error.is_instance_of::<PyOverflowError>(object.py()) {
+                true => Ok(Self::OutOfRange(object.str()?.to_string())),
+                false => Err(error),
+            }
+        })
+    }
+}
+
+impl<T: Whole> Number<T> {
+    /// The number, which is at least `least`, of the argument of this name.
+    ///
+    /// # Errors
+    /// `ValueError` for another one.
+    pub fn of(self, name: &str, least: T) -> PyResult<T> {
+        let given = match self {
+            Self::Fits(number) if number >= least => return Ok(number),
+            Self::Fits(number) => number.to_string(),
+            Self::OutOfRange(number) => number,
+        };
+        Err(argument(format!("{name} is a whole number from {least} to {}, not {given}", T::MOST)))
+    }
+}
+
+/// As [`Number::of`], where there may be none.
+pub fn number_of<T: Whole>(number: Option<Number<T>>, name: &str, least: T) -> PyResult<Option<T>> {
+    number.map(|number| number.of(name, least)).transpose()
+}
+
+/// Width and height of a picture, `size` of its arguments.
+#[derive(Clone, Copy)]
+pub struct Size(pub u32, pub u32);
+
+impl<'py> FromPyObject<'_, 'py> for Size {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let (width, height): (Number<u32>, Number<u32>) = object.extract()?;
+        Ok(Self(width.of("the width of size", 0)?, height.of("the height of size", 0)?))
+    }
+}
+
+/// Pixels of a picture, `region` of its arguments.
+#[derive(Clone, Copy)]
+pub struct Pixels(pub [u32; 4]);
+
+impl<'py> FromPyObject<'_, 'py> for Pixels {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let [x0, y0, x1, y1]: [Number<u32>; 4] = object.extract()?;
+        let number = |number: Number<u32>, name: &str| number.of(&format!("{name} of region"), 0);
+        Ok(Self([number(x0, "x0")?, number(y0, "y0")?, number(x1, "x1")?, number(y1, "y1")?]))
     }
 }
 

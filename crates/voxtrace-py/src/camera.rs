@@ -1,6 +1,6 @@
 //! `Camera`.
 
-use crate::arguments::Three;
+use crate::arguments::{Size, Three};
 use crate::errors::argument;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -79,7 +79,7 @@ impl PyCamera {
     /// The ray through a place of the picture, in pixels from its upper left corner: origin and direction of unit length, world units. What `Renderer.cast` finds by
     /// it is what the picture shows there. `size`: width and height of the picture.
     #[pyo3(signature = (place, size))]
-    fn ray(&self, place: (f32, f32), size: (u32, u32)) -> PyResult<([f32; 3], [f32; 3])> {
+    fn ray(&self, place: (f32, f32), size: Size) -> PyResult<([f32; 3], [f32; 3])> {
         if size.0 == 0 || size.1 == 0 {
             return Err(argument("size is at least 1 × 1"));
         }

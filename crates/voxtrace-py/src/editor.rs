@@ -6,6 +6,7 @@ use crate::forks::{self, detach};
 use crate::material::PyMaterial;
 use crate::scene::PyScene;
 use numpy::ndarray::Ix2;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
@@ -93,7 +94,7 @@ impl PyEditor {
         detach(py, || work(&mut self.edited.lock().unwrap_or_else(PoisonError::into_inner)))
     }
 
-    fn edit(&self, py: Python<'_>, grid: i64, edit: &Edit) -> PyResult<i64> {
+    fn edit(&self, py: Python<'_>, grid: i128, edit: &Edit) -> PyResult<i64> {
         let grid = number_of(py, "grid", grid)?;
         let edited = self.with(py, |edited| edited.scene.edit(grid, edit))?;
         edited.map(|edited| edited.voxels).map_err(|error| other(py, error))
@@ -152,14 +153,14 @@ impl PyEditor {
 
     /// All voxels from corner `low` up to, but not including, `high` become a material, `None` for empty. Returns how many voxels there are more.
     #[pyo3(signature = (low, high, material, *, grid=0))]
-    fn fill(&self, py: Python<'_>, low: Three, high: Three, material: Option<i64>, grid: i64) -> PyResult<i64> {
+    fn fill(&self, py: Python<'_>, low: Three, high: Three, material: Option<i128>, grid: i128) -> PyResult<i64> {
         let (shape, material) = (Shape::Box(box_of(low, high)?), material_of(py, material)?);
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
 
     /// All voxels whose middle is at most `radius` from `center` become a material, `None` for empty. Returns how many voxels there are more.
     #[pyo3(signature = (center, radius, material, *, grid=0))]
-    fn sphere(&self, py: Python<'_>, center: Three, radius: f64, material: Option<i64>, grid: i64) -> PyResult<i64> {
+    fn sphere(&self, py: Python<'_>, center: Three, radius: f64, material: Option<i128>, grid: i128) -> PyResult<i64> {
         let (shape, material) = (ball_of(center, radius)?, material_of(py, material)?);
         self.edit(py, grid, &Edit::Fill { shape, material })
     }
@@ -172,8 +173,8 @@ impl PyEditor {
         start: Three,
         end: Three,
         radius: f64,
-        material: Option<i64>,
-        grid: i64,
+        material: Option<i128>,
+        grid: i128,
     ) -> PyResult<i64> {
         let shape = Shape::Capsule { from: start.0, to: end.0, radius: positive(radius)? };
         let material = material_of(py, material)?;
@@ -182,14 +183,14 @@ impl PyEditor {
 
     /// The voxels of a ball that are there become another material. Returns 0.
     #[pyo3(signature = (center, radius, material, *, grid=0))]
-    fn paint(&self, py: Python<'_>, center: Three, radius: f64, material: i64, grid: i64) -> PyResult<i64> {
+    fn paint(&self, py: Python<'_>, center: Three, radius: f64, material: i128, grid: i128) -> PyResult<i64> {
         let (shape, material) = (ball_of(center, radius)?, number_of(py, "material", material)?);
         self.edit(py, grid, &Edit::Paint { shape, material })
     }
 
     /// The voxels of one material become another, or empty. Returns how many voxels there are more.
     #[pyo3(signature = (old, new, *, grid=0))]
-    fn replace(&self, py: Python<'_>, old: i64, new: Option<i64>, grid: i64) -> PyResult<i64> {
+    fn replace(&self, py: Python<'_>, old: i128, new: Option<i128>, grid: i128) -> PyResult<i64> {
         let (from, to) = (number_of(py, "material", old)?, material_of(py, new)?);
         self.edit(py, grid, &Edit::Replace { within: None, from, to })
     }
@@ -197,7 +198,7 @@ impl PyEditor {
     /// Voxels, shape `(N, 3)`, become a material, `None` for empty: all of them, in one step of undo, or none where it raises. Returns how many voxels there
     /// are more.
     #[pyo3(signature = (voxels, material, *, grid=0))]
-    fn set(&self, py: Python<'_>, voxels: Numbers<'_, f64, Ix2>, material: Option<i64>, grid: i64) -> PyResult<i64> {
+    fn set(&self, py: Python<'_>, voxels: Numbers<'_, f64, Ix2>, material: Option<i128>, grid: i128) -> PyResult<i64> {
         let (voxels, material, grid) = (voxels.as_array(), material_of(py, material)?, number_of(py, "grid", grid)?);
         if voxels.ncols() != 3 {
             return Err(argument("voxels have shape (N, 3)"));
@@ -227,7 +228,7 @@ impl PyEditor {
 
     /// Index of the material of a voxel, `None` where it is empty.
     #[pyo3(signature = (voxel, *, grid=0))]
-    fn get(&self, py: Python<'_>, voxel: Three, grid: i64) -> PyResult<Option<u16>> {
+    fn get(&self, py: Python<'_>, voxel: Three, grid: i128) -> PyResult<Option<u16>> {
         let Ok(grid) = u32::try_from(grid) else { return Ok(None) };
         // A thread that edited when this process was forked holds the lock for ever.
         forks::check()?;
@@ -258,6 +259,11 @@ impl PyEditor {
         Ok(PyScene::of_packed(Arc::new(self.with(py, |edited| edited.scene.compact())?)))
     }
 
+    fn __reduce__(&self) -> PyResult<()> {
+        let text = "an Editor is not pickled or copied, as renderers follow it: Editor.scene() is what it has made, and can be";
+        Err(PyTypeError::new_err(text))
+    }
+
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let name = self.with(py, |edited| edited.scene.scene().name.clone())?;
         Ok(format!("<Editor of {name:?}: {} voxels>", self.voxels(py)?))
@@ -265,11 +271,11 @@ impl PyEditor {
 }
 
 /// A number that something of the scene may have.
-fn number_of<T: TryFrom<i64>>(py: Python<'_>, what: &str, number: i64) -> PyResult<T> {
+fn number_of<T: TryFrom<i128>>(py: Python<'_>, what: &str, number: i128) -> PyResult<T> {
     T::try_from(number).map_err(|_| other(py, format!("there is no {what} {number}")))
 }
 
-fn material_of(py: Python<'_>, material: Option<i64>) -> PyResult<Option<u16>> {
+fn material_of(py: Python<'_>, material: Option<i128>) -> PyResult<Option<u16>> {
     material.map(|material| number_of(py, "material", material)).transpose()
 }
 

@@ -3,7 +3,9 @@
 use crate::arguments::{Color, Three, readable, whole};
 use crate::errors::argument;
 use crate::forks::detach;
+use crate::interrupt::run_while;
 use crate::material::PyMaterial;
+use crate::pickle::{bytes_of_grid, grid_of, no_grid};
 use numpy::ndarray::{ArrayD, ArrayViewD, Axis, Ix3, Ix4, IxDyn};
 use numpy::{
     Element, IntoPyArray, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray,
@@ -22,9 +24,12 @@ use voxtrace::{Brick, Material, VoxelGrid};
 /// Voxels along an edge of a brick.
 const EDGE: i32 = 8;
 /// Voxels of a brick.
-const BRICK_VOXELS: usize = 512;
+pub const BRICK_VOXELS: usize = 512;
 /// Bricks that are made at a time: enough for many threads, 70 MB at most.
 const BRICKS_AT_A_TIME: i64 = 1 << 16;
+
+/// A grid taken apart: its voxels, its materials, and the lowest voxel and the one beyond the highest of the array that it was made of.
+type Pickled = (Vec<u8>, Vec<PyMaterial>, Option<([i32; 3], [i32; 3])>);
 
 /// A sparse grid of voxels with materials. Voxel `(x, y, z)` is element `[x, y, z]` of an array; z points up.
 ///
@@ -113,7 +118,7 @@ impl PyVoxelGrid {
                 return Err(argument("colours need no palette"));
             }
             let view = colors.as_array();
-            detach(py, || of_colors(&view, extent))?
+            run_while(py, |wanted| of_colors(&view, extent, wanted))?
         } else {
             labels(py, array, extent, palette)
         };
@@ -175,6 +180,34 @@ impl PyVoxelGrid {
 
     fn __len__(&self) -> usize {
         self.grid.count() as usize
+    }
+
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    fn _of_parts(
+        py: Python<'_>,
+        grid: Vec<u8>,
+        materials: Vec<PyMaterial>,
+        extent: Option<([i32; 3], [i32; 3])>,
+    ) -> PyResult<Self> {
+        let grid = py.detach(|| grid_of(&grid)).ok_or_else(no_grid)?;
+        let extent = extent.map(|(min, max)| VoxelBox { min: min.into(), max: max.into() });
+        Ok(Self { grid: Arc::new(grid), materials: materials.into_iter().map(|material| material.0).collect(), extent })
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Pickled)> {
+        let extent = self.extent.map(|extent| (extent.min.to_array(), extent.max.to_array()));
+        let parts = (detach(py, || bytes_of_grid(&self.grid))?, self.materials(), extent);
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, parts))
+    }
+
+    /// The same one: it is never changed.
+    fn __copy__<'py>(slf: &Bound<'py, Self>) -> Bound<'py, Self> {
+        slf.clone()
+    }
+
+    fn __deepcopy__<'py>(slf: &Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf.clone()
     }
 
     /// Index of the material of a voxel, `None` where it is empty.
@@ -306,7 +339,8 @@ fn labels(
 ) -> PyResult<(VoxelGrid, Vec<Material>)> {
     if let Some(occupied) = bytes_of_bools(array)? {
         let view = occupied.as_array();
-        let grid = detach(py, || of_labels(&view, extent, |&byte| Some(u16::from(byte != 0))))?;
+        let label = |&byte: &u8| Some(u16::from(byte != 0));
+        let grid = run_while(py, |wanted| of_labels(&view, extent, label, wanted))?;
         let material = palette.and_then(|palette| palette.first().copied()).unwrap_or_default();
         return Ok((grid?.0, vec![material]));
     }
@@ -314,7 +348,8 @@ fn labels(
         ($($type:ty),*) => {
             $(if let Some(values) = readonly::<$type>(array) {
                 let view = values.as_array();
-                let (grid, highest) = detach(py, || of_labels(&view, extent, |&label| u16::try_from(label).ok()))??;
+                let label = |&label: &$type| u16::try_from(label).ok();
+                let (grid, highest) = run_while(py, |wanted| of_labels(&view, extent, label, wanted))??;
                 return Ok((grid, label_materials(highest, palette)?));
             })*
         };
@@ -338,14 +373,18 @@ fn label_materials(highest: u16, palette: Option<Vec<Material>>) -> PyResult<Vec
     }
 }
 
-/// A grid of labels, which have the material before them, and the highest of them.
+/// A grid of labels, which have the material before them, and the highest of them; anything where they are not `wanted` any more.
 fn of_labels<T: Sync>(
     view: &ArrayViewD<T>,
     extent: VoxelBox,
     label: impl Fn(&T) -> Option<u16> + Sync,
+    wanted: &(dyn Fn() -> bool + Sync),
 ) -> PyResult<(VoxelGrid, u16)> {
     let view = view.view().into_dimensionality::<Ix3>().map_err(argument)?;
     let highest = (0..view.len_of(Axis(0))).into_par_iter().map(|x| {
+        if !wanted() {
+            return Some(0);
+        }
         view.index_axis(Axis(0), x)
             .iter()
             .try_fold(0, |highest: u16, value| label(value).map(|label| highest.max(label)))
@@ -354,12 +393,16 @@ fn of_labels<T: Sync>(
     let highest = highest.ok_or_else(|| {
         argument("labels are from 0 to 65535; numpy.unique(array, return_inverse=True) numbers others")
     })?;
-    let grid = build(extent, |[x, y, z]| label(&view[[x, y, z]]).and_then(|label| label.checked_sub(1)));
+    let grid = build(extent, |[x, y, z]| label(&view[[x, y, z]]).and_then(|label| label.checked_sub(1)), wanted);
     Ok((grid, highest))
 }
 
-/// A grid of colours.
-fn of_colors(view: &ArrayViewD<u8>, extent: VoxelBox) -> PyResult<(VoxelGrid, Vec<Material>)> {
+/// A grid of colours; anything where it is not `wanted` any more.
+fn of_colors(
+    view: &ArrayViewD<u8>,
+    extent: VoxelBox,
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> PyResult<(VoxelGrid, Vec<Material>)> {
     let view = view.view().into_dimensionality::<Ix4>().map_err(argument)?;
     let has_alpha = view.shape()[3] == 4;
     let color = |[x, y, z]: [usize; 3], lost: u32| -> Option<u32> {
@@ -370,6 +413,9 @@ fn of_colors(view: &ArrayViewD<u8>, extent: VoxelBox) -> PyResult<(VoxelGrid, Ve
     let size = view.shape();
     let distinct = |lost: u32| {
         let of_plane = |x: usize| {
+            if !wanted() {
+                return Vec::new();
+            }
             let places = (0..size[1]).flat_map(|y| (0..size[2]).map(move |z| [x, y, z]));
             let mut colors: Vec<u32> = places.filter_map(|place| color(place, lost)).collect();
             colors.sort_unstable();
@@ -389,15 +435,18 @@ fn of_colors(view: &ArrayViewD<u8>, extent: VoxelBox) -> PyResult<(VoxelGrid, Ve
     // The middle of what was rounded to one colour.
     let byte = |value: u32| ((value << lost) as u8) + if lost > 0 { 1 << (lost - 1) } else { 0 };
     let material = |&color: &u32| Material::from_srgb([color >> 16, color >> 8 & 0xff, color & 0xff].map(byte));
-    let grid = build(extent, |place| {
-        color(place, lost).and_then(|color| colors.binary_search(&color).ok()).map(|index| index as u16)
-    });
+    let at = |place| color(place, lost).and_then(|color| colors.binary_search(&color).ok()).map(|index| index as u16);
+    let grid = build(extent, at, wanted);
     Ok((grid, colors.iter().map(material).collect()))
 }
 
 /// A grid whose voxels have the materials that `at` says, by their places in the extent. Bricks of one material share it; some bricks at a time, so that they are
-/// in memory once.
-fn build(extent: VoxelBox, at: impl Fn([usize; 3]) -> Option<u16> + Sync) -> VoxelGrid {
+/// in memory once. Those are left out that are not `wanted` any more.
+fn build(
+    extent: VoxelBox,
+    at: impl Fn([usize; 3]) -> Option<u16> + Sync,
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> VoxelGrid {
     if extent.size().min_element() <= 0 {
         return VoxelGrid::new();
     }
@@ -406,6 +455,9 @@ fn build(extent: VoxelBox, at: impl Fn([usize; 3]) -> Option<u16> + Sync) -> Vox
     let uniform: Vec<OnceLock<Arc<[u16]>>> = (0..MAX_MATERIALS).map(|_| OnceLock::new()).collect();
     let (width, depth, height) = (i64::from(count.x), i64::from(count.y), i64::from(count.z));
     let brick = |index: i64| {
+        if !wanted() {
+            return None;
+        }
         let place = IVec3::new((index % width) as i32, (index / width % depth) as i32, (index / width / depth) as i32);
         let coordinates = low + place;
         let mut occupancy = [0u64; 8];

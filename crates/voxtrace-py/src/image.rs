@@ -2,9 +2,10 @@
 
 use crate::errors::{argument, of_film, of_writing, other};
 use crate::forks::detach;
+use crate::interrupt::run_while;
 use crate::scene::PyScene;
-use numpy::ndarray::Array;
-use numpy::{IntoPyArray, PyArray2, PyArray3};
+use numpy::ndarray::{Array, Array2};
+use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
@@ -15,6 +16,9 @@ use voxtrace::output::{Denoised, FilmFile, Operator, SceneStamp, ToneBytes, Tone
 use voxtrace::{Film, Picture, RenderError};
 use voxtrace_oidn::{Oidn, OidnError};
 
+/// A picture taken apart: its film, what traced it, and where its noise was removed the name of the filter and the radiance that it left.
+type Pickled<'py> = (Bound<'py, PyBytes>, String, Option<(String, Bound<'py, PyArray2<f32>>)>);
+
 /// A rendered picture. In a notebook it shows itself.
 #[pyclass(name = "Image", module = "voxtrace", frozen)]
 pub struct PyImage {
@@ -23,6 +27,10 @@ pub struct PyImage {
     #[pyo3(get)]
     device: String,
 }
+
+/// Names of filters that remove noise.
+const VOXTRACE: &str = "voxtrace";
+const OIDN: &str = "oidn";
 
 impl PyImage {
     pub fn new(picture: Picture, device: String) -> Self {
@@ -164,8 +172,44 @@ impl PyImage {
         Ok(Self::new(Picture::of_film(file), "a film".into()))
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
-        Ok((py.get_type::<Self>().getattr("from_bytes")?, (self.to_bytes(py),)))
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    #[pyo3(signature = (film, device, denoised))]
+    fn _of_parts(
+        py: Python<'_>,
+        film: &[u8],
+        device: String,
+        denoised: Option<(String, PyReadonlyArray2<'_, f32>)>,
+    ) -> PyResult<Self> {
+        let file = py.detach(|| FilmFile::from_bytes(film)).map_err(|error| of_film(py, &error))?;
+        let picture = Picture::of_film(file);
+        let Some((filter, radiance)) = denoised else { return Ok(Self::new(picture, device)) };
+        if radiance.as_array().dim() != (picture.film().pixels.len(), 3) {
+            return Err(argument("the picture without noise has other pixels than its film"));
+        }
+        let radiance = radiance.as_array().outer_iter().map(|pixel| Vec3::new(pixel[0], pixel[1], pixel[2])).collect();
+        let filter = if filter == OIDN { OIDN } else { VOXTRACE };
+        Ok(Self::new(picture.denoised_as(Denoised { radiance, filter }), device))
+    }
+
+    /// For pickle: what makes the same picture, without its noise where that was removed.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Pickled<'py>)> {
+        let denoised = self.picture.denoised().map(|denoised| {
+            let values = py.detach(|| denoised.radiance.iter().flat_map(|radiance| radiance.to_array()).collect());
+            let values = Array2::from_shape_vec((denoised.radiance.len(), 3), values).map_err(argument)?;
+            Ok::<_, PyErr>((denoised.filter.to_owned(), values.into_pyarray(py)))
+        });
+        let parts = (self.to_bytes(py), self.device.clone(), denoised.transpose()?);
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, parts))
+    }
+
+    /// The same one: it is never changed.
+    fn __copy__<'py>(slf: &Bound<'py, Self>) -> Bound<'py, Self> {
+        slf.clone()
+    }
+
+    fn __deepcopy__<'py>(slf: &Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf.clone()
     }
 
     /// The picture of all samples of pictures of the same frame whose ranges of samples join, in any order: bit for bit what one run of all of them gives.
@@ -183,30 +227,31 @@ impl PyImage {
     /// The same picture without its noise; `scene` is that which was rendered. `filter`: `"voxtrace"`, as `render` does it, or `"oidn"`, Intel's Open Image Denoise,
     /// which the extra `denoise` of this package brings; its last bits may differ from machine to machine.
     ///
-    /// Raises `ValueError` where the scene is another, and `VoxtraceError` where Open Image Denoise is not installed or fails.
+    /// Raises `ValueError` where the scene is another, and `VoxtraceError` where Open Image Denoise is not installed or fails; Ctrl-C ends it.
     #[pyo3(signature = (scene, filter="voxtrace"))]
-    fn denoise(&self, py: Python<'_>, scene: &PyScene, filter: &str) -> PyResult<Self> {
-        if !["voxtrace", "oidn"].contains(&filter) {
+    fn denoise(&self, py: Python<'_>, scene: &Bound<'_, PyScene>, filter: &str) -> PyResult<Self> {
+        if ![VOXTRACE, OIDN].contains(&filter) {
             return Err(argument(format!("{filter:?} is neither \"voxtrace\" nor \"oidn\"")));
         }
-        let packed = scene.packed(py, false)?;
+        let packed = scene.try_borrow()?.packed(py, false)?;
         let file = self.picture.film_file().clone();
         if detach(py, || SceneStamp::of(&packed))?.content_hash != file.scene.content_hash {
             return Err(argument("the picture is of another scene"));
         }
-        if filter == "voxtrace" {
-            let picture = detach(py, || Picture::of_film(file).without_noise(&packed))?;
-            return Ok(Self::new(picture, self.device.clone()));
+        if filter == VOXTRACE {
+            let picture = run_while(py, |wanted| Picture::of_film(file).without_noise_while(&packed, wanted))?;
+            return Ok(Self::new(picture.ok_or_else(|| other(py, "stopped"))?, self.device.clone()));
         }
         let oidn = open_oidn(py)?;
-        let made = detach(py, || {
-            let features = Features::of(&packed, &file.frame, &file.film).pixels;
+        let made = run_while(py, |wanted| {
+            let features = Features::of_while(&packed, &file.frame, &file.film, wanted);
+            let features = features.ok_or(OidnError::Stopped)?.pixels;
             let color: Vec<Vec3> = file.film.pixels.iter().map(Pixel::mean).collect();
             let albedo: Vec<Vec3> = features.iter().map(|pixel| pixel.albedo).collect();
             let normal: Vec<Vec3> = features.iter().map(|pixel| pixel.normal).collect();
             let (height, width) = self.size();
-            let radiance = oidn.denoise(width, height, &color, &albedo, &normal)?;
-            Ok(Picture::of_film(file).denoised_as(Denoised { radiance, filter: "oidn" }))
+            let radiance = oidn.denoise_while((width, height), &color, &albedo, &normal, wanted)?;
+            Ok(Picture::of_film(file).denoised_as(Denoised { radiance, filter: OIDN }))
         })?;
         let picture = made.map_err(|error: OidnError| other(py, error))?;
         Ok(Self::new(picture, self.device.clone()))

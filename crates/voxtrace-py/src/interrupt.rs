@@ -2,12 +2,48 @@
 
 use crate::forks::detach;
 use pyo3::prelude::*;
+use std::cell::Cell;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
 /// Time between two looks.
 const PERIOD: Duration = Duration::from_millis(50);
+
+thread_local! {
+    /// Whether this thread is within a handler of a signal that came while it worked or waited here.
+    static IN_HANDLER: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Looks for signals.
+fn look(py: Python<'_>) -> PyResult<()> {
+    let before = IN_HANDLER.replace(true);
+    let looked = py.check_signals();
+    IN_HANDLER.set(before);
+    looked
+}
+
+/// Whether work or waiting of this thread goes on only once the handler of a signal has returned, which this is called from.
+pub fn is_in_handler() -> bool {
+    IN_HANDLER.get()
+}
+
+/// Lets other threads run for a while.
+///
+/// # Errors
+/// What a signal raises.
+pub fn pause(py: Python<'_>, time: Duration) -> PyResult<()> {
+    detach(py, || thread::sleep(time))?;
+    look(py)
+}
+
+/// As [`run`], of work that is told how to ask whether somebody still waits for it.
+pub fn run_while<T: Send>(py: Python<'_>, work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T + Send) -> PyResult<T> {
+    let wanted = AtomicBool::new(true);
+    let stop = || wanted.store(false, Ordering::Relaxed);
+    run(py, stop, |_| Ok(()), || work(&|| wanted.load(Ordering::Relaxed)))
+}
 
 /// Runs `work`, and calls `stop` once somebody interrupts it, or `tick`, which is called again and again, refuses. The exception is raised when `work` has
 /// ended, which it should soon.
@@ -29,7 +65,7 @@ pub fn run<T: Send>(
                 match receiver.recv_timeout(PERIOD) {
                     Ok(value) => return interrupted.map_or(Ok(value), Err),
                     Err(RecvTimeoutError::Timeout) if interrupted.is_none() => {
-                        interrupted = Python::attach(|py| py.check_signals().and_then(|()| tick(py)).err());
+                        interrupted = Python::attach(|py| look(py).and_then(|()| tick(py)).err());
                         if interrupted.is_some() {
                             stop();
                         }

@@ -12,6 +12,7 @@ mod image;
 mod interrupt;
 mod material;
 mod open;
+mod pickle;
 mod renderer;
 mod scene;
 mod sky;

@@ -6,6 +6,9 @@ use pyo3::prelude::*;
 use voxtrace::Material;
 use voxtrace::glam::Vec3;
 
+/// A material taken apart: colours and numbers.
+type Pickled = ([[f32; 3]; 3], [f32; 7]);
+
 /// What a voxel is made of. Colours are linear Rec. 709, or `"#rrggbb"` as pickers show them.
 ///
 /// >>> import voxtrace
@@ -123,6 +126,33 @@ impl PyMaterial {
     #[getter]
     fn scattering(&self) -> f32 {
         self.0.scattering
+    }
+
+    /// What `__reduce__` has taken apart: also what a file had that cannot be asked for.
+    #[staticmethod]
+    fn _of_parts(colors: [[f32; 3]; 3], numbers: [f32; 7]) -> Self {
+        let [base_color, emission, absorption] = colors.map(Vec3::from_array);
+        let [roughness, metallic, transmission, ior, specular, anisotropy, scattering] = numbers;
+        Self(Material {
+            base_color,
+            emission,
+            roughness,
+            metallic,
+            transmission,
+            ior,
+            specular,
+            anisotropy,
+            absorption,
+            scattering,
+        })
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Pickled)> {
+        let Material { base_color, emission, absorption, roughness, metallic, transmission, .. } = self.0;
+        let Material { ior, specular, anisotropy, scattering, .. } = self.0;
+        let colors = [base_color, emission, absorption].map(|color| color.to_array());
+        let numbers = [roughness, metallic, transmission, ior, specular, anisotropy, scattering];
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, (colors, numbers)))
     }
 
     fn __repr__(&self) -> String {

@@ -1,5 +1,6 @@
 //! Scenes and volumes from files, and built-in scenes.
 
+use crate::arguments::{Number, number_of};
 use crate::errors::{argument, of_reading, other};
 use crate::interrupt::run;
 use crate::scene::PyScene;
@@ -23,6 +24,23 @@ fn read<T: Send>(py: Python<'_>, reader: impl FnOnce() -> Result<T, ImportError>
     result.map_err(|error| of_reading(py, &error))
 }
 
+/// What of a file is read.
+fn import_options(
+    channel: Option<Number<u32>>,
+    time: Option<Number<u32>>,
+    series: Option<Number<i64>>,
+    strict: bool,
+) -> PyResult<ImportOptions> {
+    let (channel, time) = (number_of(channel, "channel", 1)?, number_of(time, "time", 1)?);
+    Ok(ImportOptions {
+        channel,
+        time,
+        series: number_of(series, "series", i64::MIN)?,
+        strict,
+        ..ImportOptions::default()
+    })
+}
+
 /// A scene from a file or a folder of any format that `voxtrace formats` lists; meshes, points and scans are voxelized.
 ///
 /// `resolution`: voxels along the longest side; `voxel_size`: their edge in units of the file. `fill`: the inside of closed meshes too. `transfer` and
@@ -36,15 +54,15 @@ fn read<T: Send>(py: Python<'_>, reader: impl FnOnce() -> Result<T, ImportError>
 pub fn open(
     py: Python<'_>,
     path: PathBuf,
-    resolution: Option<u32>,
+    resolution: Option<Number<u32>>,
     voxel_size: Option<f64>,
     fill: bool,
     transfer: Option<AnyTransfer>,
     threshold: Option<f32>,
     shell: bool,
-    channel: Option<u32>,
-    time: Option<u32>,
-    series: Option<i64>,
+    channel: Option<Number<u32>>,
+    time: Option<Number<u32>>,
+    series: Option<Number<i64>>,
     animation: Option<String>,
     strict: bool,
 ) -> PyResult<PyScene> {
@@ -54,8 +72,8 @@ pub fn open(
     let volume =
         VolumeOptions { scale, transfer: transfer.map(|transfer| transfer.0), threshold, shell, overlays: Vec::new() };
     let animation = animation.map_or(ClipChoice::None, ClipChoice::Named);
-    let options =
-        ImportOptions { voxelize, volume, channel, time, series, animation, strict, ..ImportOptions::default() };
+    let import = import_options(channel, time, series, strict)?;
+    let options = ImportOptions { voxelize, volume, animation, ..import };
     let loaded = read(py, || import::load(&path, &options))?;
     let mut scene = match loaded.content {
         Content::Scene(scene) => PyScene::of(*scene),
@@ -73,12 +91,12 @@ pub fn open(
 pub fn open_volume(
     py: Python<'_>,
     path: PathBuf,
-    channel: Option<u32>,
-    time: Option<u32>,
-    series: Option<i64>,
+    channel: Option<Number<u32>>,
+    time: Option<Number<u32>>,
+    series: Option<Number<i64>>,
     strict: bool,
 ) -> PyResult<PyVolume> {
-    let options = ImportOptions { channel, time, series, strict, ..ImportOptions::default() };
+    let options = import_options(channel, time, series, strict)?;
     read(py, || import::read_volume(&path, &options)).map(PyVolume)
 }
 
@@ -87,7 +105,13 @@ pub fn open_volume(
 /// Raises `ValueError` for another name or size.
 #[pyfunction]
 #[pyo3(signature = (name, *, voxels=None, instances=None))]
-pub fn builtin(py: Python<'_>, name: &str, voxels: Option<u64>, instances: Option<u32>) -> PyResult<PyScene> {
+pub fn builtin(
+    py: Python<'_>,
+    name: &str,
+    voxels: Option<Number<u64>>,
+    instances: Option<Number<u32>>,
+) -> PyResult<PyScene> {
+    let (voxels, instances) = (number_of(voxels, "voxels", 1)?, number_of(instances, "instances", 1)?);
     let wanted = AtomicBool::new(true);
     let goes_on = || wanted.load(Ordering::Relaxed);
     let stop = || wanted.store(false, Ordering::Relaxed);

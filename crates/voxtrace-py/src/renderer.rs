@@ -1,6 +1,6 @@
 //! `Renderer`: a tracer with a scene, for many pictures and rays.
 
-use crate::arguments::{Numbers, transform_of};
+use crate::arguments::{Number, Numbers, Pixels, Size, number_of, transform_of};
 use crate::camera::PyCamera;
 use crate::editor::{Follower, PyEditor};
 use crate::errors::{argument, of_tracing, other};
@@ -10,6 +10,7 @@ use crate::image::PyImage;
 use crate::interrupt::run;
 use crate::scene::PyScene;
 use numpy::ndarray::{Ix2, Ix3, IxDyn};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -60,11 +61,11 @@ impl PyRenderer {
         device: &str,
         traversal: Option<&str>,
         fast: bool,
-        memory: Option<u64>,
+        memory: Option<Number<u64>>,
         placeable: bool,
         film: Option<PyRef<'_, PyImage>>,
     ) -> PyResult<Self> {
-        let request = request_of(device, traversal, fast, memory)?;
+        let request = request_of(device, traversal, fast, number_of(memory, "memory", 0)?)?;
         let lit = |packed: Arc<PackedScene>| match &film {
             Some(image) => lit_as(&packed, &image.picture.film_file().scene),
             None => packed,
@@ -98,29 +99,28 @@ impl PyRenderer {
     /// `progress`: called with the share that is done, again and again.
     ///
     /// Raises `ValueError` for what cannot be rendered, `DeviceError` where the device fails; Ctrl-C ends it.
-    #[pyo3(signature = (camera=None, *, samples=64, size=(1280, 720), seed=0, max_bounces=8, integrator="path", denoise=true, transparent=false, aovs=false, first_sample=0, region=None, progress=None),
+    #[pyo3(signature = (camera=None, *, samples=Number::Fits(64), size=Size(1280, 720), seed=Number::Fits(0), max_bounces=Number::Fits(8), integrator="path", denoise=true, transparent=false, aovs=false, first_sample=Number::Fits(0), region=None, progress=None),
         text_signature = "($self, camera=None, *, samples=64, size=(1280, 720), seed=0, max_bounces=8, integrator='path', denoise=True, transparent=False, aovs=False, first_sample=0, region=None, progress=None)")]
     #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn render(
         &mut self,
         py: Python<'_>,
         camera: Option<&Bound<'_, PyAny>>,
-        samples: u32,
-        size: (u32, u32),
-        seed: u32,
-        max_bounces: u32,
+        samples: Number<u32>,
+        size: Size,
+        seed: Number<u32>,
+        max_bounces: Number<u16>,
         integrator: &str,
         denoise: bool,
         transparent: bool,
         aovs: bool,
-        first_sample: u32,
-        region: Option<[u32; 4]>,
+        first_sample: Number<u32>,
+        region: Option<Pixels>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<PyImage> {
         let camera = self.camera(py, camera, size)?;
-        if samples == 0 {
-            return Err(argument("a picture has at least one sample"));
-        }
+        let (samples, first_sample) = (samples.of("samples", 1)?, first_sample.of("first_sample", 0)?);
+        let (seed, max_bounces) = (seed.of("seed", 0)?, max_bounces.of("max_bounces", 0)?);
         let integrator = match integrator {
             "path" => Integrator::Path,
             "essay" => Integrator::Essay,
@@ -130,11 +130,11 @@ impl PyRenderer {
             .samples(samples)
             .first_sample(first_sample)
             .seed(seed)
-            .max_bounces(max_bounces)
+            .max_bounces(max_bounces.into())
             .integrator(integrator)
             .transparent(transparent)
             .aovs(aovs);
-        if let Some([x0, y0, x1, y1]) = region {
+        if let Some(Pixels([x0, y0, x1, y1])) = region {
             let is_inside = x0 < x1 && x1 <= size.0 && y0 < y1 && y1 <= size.1;
             if !is_inside {
                 return Err(argument("region is (x0, y0, x1, y1), pixels of the picture, the end not included"));
@@ -148,18 +148,20 @@ impl PyRenderer {
     /// or those of `region`, `(x0, y0, x1, y1)`. They can be merged with films of other samples.
     ///
     /// Raises as `render` does.
-    #[pyo3(signature = (film, *, samples, first_sample=0, region=None, progress=None))]
+    #[pyo3(signature = (film, *, samples, first_sample=Number::Fits(0), region=None, progress=None),
+        text_signature = "($self, film, *, samples, first_sample=0, region=None, progress=None)")]
     fn render_like(
         &mut self,
         py: Python<'_>,
         film: PyRef<'_, PyImage>,
-        samples: u32,
-        first_sample: u32,
-        region: Option<[u32; 4]>,
+        samples: Number<u32>,
+        first_sample: Number<u32>,
+        region: Option<Pixels>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<PyImage> {
+        let (samples, first_sample) = (samples.of("samples", 0)?, first_sample.of("first_sample", 0)?);
         let mut frame = film.picture.film_file().frame.clone().samples(samples).first_sample(first_sample);
-        if let Some([x0, y0, x1, y1]) = region {
+        if let Some(Pixels([x0, y0, x1, y1])) = region {
             frame = frame.region(voxtrace::Region { x0, y0, x1, y1 });
         }
         drop(film);
@@ -259,13 +261,18 @@ impl PyRenderer {
     }
 
     /// The camera that looks when none is given.
-    #[pyo3(signature = (size=(1280, 720)), text_signature = "($self, size=(1280, 720))")]
-    fn default_camera(&self, py: Python<'_>, size: (u32, u32)) -> PyResult<PyCamera> {
+    #[pyo3(signature = (size=Size(1280, 720)), text_signature = "($self, size=(1280, 720))")]
+    fn default_camera(&self, py: Python<'_>, size: Size) -> PyResult<PyCamera> {
         let aspect = size.0 as f32 / size.1.max(1) as f32;
         match self.scene.cameras.first() {
             Some(camera) => Ok(PyCamera(camera.clone())),
             None => detach(py, || PyCamera(self.scene.portrait(aspect))),
         }
+    }
+
+    fn __reduce__(&self) -> PyResult<()> {
+        let text = "a Renderer is not pickled or copied, as it holds a device: make one where it is needed, of a Scene, which can be";
+        Err(PyTypeError::new_err(text))
     }
 
     fn __repr__(&self) -> String {
@@ -319,7 +326,7 @@ impl PyRenderer {
         Ok(PyImage::new(picture, self.device.clone() + &remarks.collect::<String>()))
     }
 
-    fn camera(&self, py: Python<'_>, camera: Option<&Bound<'_, PyAny>>, size: (u32, u32)) -> PyResult<Camera> {
+    fn camera(&self, py: Python<'_>, camera: Option<&Bound<'_, PyAny>>, size: Size) -> PyResult<Camera> {
         let Some(camera) = camera else { return Ok(self.default_camera(py, size)?.0) };
         if let Ok(camera) = camera.extract::<PyCamera>() {
             return Ok(camera.0);

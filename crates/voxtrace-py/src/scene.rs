@@ -3,17 +3,17 @@
 use crate::arguments::{Index, Matrix, Three, rows_of};
 use crate::camera::PyCamera;
 use crate::errors::{argument, of_packed, of_writing, other};
-use crate::forks::{self, detach};
+use crate::forks::detach;
 use crate::grid::PyVoxelGrid;
-use crate::interrupt::run;
+use crate::interrupt::{is_in_handler, pause, run_while};
 use crate::material::PyMaterial;
+use crate::pickle::{SceneParts, of_packing, parts_of, scene_of};
 use crate::sky::PySky;
 use crate::volume::unit_name;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread;
 use std::time::Duration;
@@ -27,7 +27,8 @@ use voxtrace::{Brick, Instance, Material, PackedScene, Scene, Transform, VoxelGr
 /// Time between two looks at whether another thread has packed the scene.
 const PERIOD: Duration = Duration::from_millis(5);
 
-/// Voxels in their places, with materials, sky and cameras. Threads may share it: while it is packed for one of them the others wait, and cannot change it.
+/// Voxels in their places, with materials, sky and cameras. Threads may share it: while it is packed for one of them, others that need it packed or change it wait.
+/// It can be pickled and copied.
 ///
 /// >>> import voxtrace
 /// >>> scene = voxtrace.builtin("city", voxels=20_000)
@@ -44,6 +45,12 @@ pub struct PyScene {
     #[pyo3(get)]
     pub notes: Vec<String>,
 }
+
+/// A scene taken apart: a file's as that file, or one that is not packed; its clip, and its notes.
+type Pickled = (Option<Vec<u8>>, Option<SceneParts>, Option<Corners>, Vec<String>);
+
+/// An instance taken apart.
+type PickledInstance = (String, usize, [[f64; 4]; 4], bool, Option<String>);
 
 /// Two corners of a box, world units.
 type Corners = ([f32; 3], [f32; 3]);
@@ -72,6 +79,17 @@ pub struct PyInstance {
 
 #[pymethods]
 impl PyInstance {
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    fn _of_parts(name: String, grid: usize, transform: [[f64; 4]; 4], hidden: bool, layer: Option<String>) -> Self {
+        Self { name, grid, transform, hidden, layer }
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, PickledInstance)> {
+        let parts = (self.name.clone(), self.grid, self.transform, self.hidden, self.layer.clone());
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, parts))
+    }
+
     fn __repr__(&self) -> String {
         let [x, y, z] = [0, 1, 2].map(|row| self.transform[row][3]);
         format!("<Instance {:?}: grid {} at ({x}, {y}, {z})>", self.name, self.grid)
@@ -87,16 +105,42 @@ impl PyScene {
         Self { content: Held::Packed(packed), packed: Default::default(), clip: None, notes: Vec::new() }
     }
 
-    /// The scene to be changed; what was packed is packed anew when it is next needed.
-    fn changing(&mut self) -> PyResult<&mut Scene> {
-        self.packed = Default::default();
-        if let Held::Packed(packed) = &self.content {
-            forks::check()?;
-            self.content = Held::Scene(Box::new(packed.to_scene()));
-        }
-        match &mut self.content {
-            Held::Scene(scene) => Ok(scene),
+    /// Changes the scene; what was packed is packed anew when it is next needed. Nobody lets other threads run while having the scene alone, so that none of them
+    /// ever finds it so.
+    fn change<T>(slf: &Bound<'_, Self>, change: impl FnOnce(&mut Scene) -> PyResult<T>) -> PyResult<T> {
+        Self::unpack(slf)?;
+        let mut held = Self::alone(slf)?;
+        held.packed = Default::default();
+        match &mut held.content {
+            Held::Scene(scene) => change(scene),
             Held::Packed(_) => unreachable!("it was unpacked"),
+        }
+    }
+
+    /// Makes what a file had a scene that can be changed. Other threads may use it meanwhile.
+    fn unpack(slf: &Bound<'_, Self>) -> PyResult<()> {
+        let packed = match &slf.try_borrow()?.content {
+            Held::Packed(packed) => Arc::clone(packed),
+            Held::Scene(_) => return Ok(()),
+        };
+        let scene = detach(slf.py(), || Box::new(packed.to_scene()))?;
+        let mut held = Self::alone(slf)?;
+        // Another thread may have done the same, and changed it.
+        if matches!(held.content, Held::Packed(_)) {
+            held.content = Held::Scene(scene);
+        }
+        Ok(())
+    }
+
+    /// The scene, once no other thread works with it, as one that packs it does. They run meanwhile.
+    fn alone<'py>(slf: &Bound<'py, Self>) -> PyResult<PyRefMut<'py, Self>> {
+        loop {
+            match slf.try_borrow_mut() {
+                Ok(held) => return Ok(held),
+                // It may be this thread that does, which would wait for itself.
+                Err(error) if is_in_handler() => return Err(error.into()),
+                Err(_) => pause(slf.py(), PERIOD)?,
+            }
         }
     }
 
@@ -129,19 +173,17 @@ impl PyScene {
             return Ok(packed);
         }
         let cuts = cuts_of(self.clip)?;
-        let wanted = AtomicBool::new(true);
-        let goes_on = || wanted.load(Ordering::Relaxed);
         let content = &self.content;
-        let work = || {
-            let mut place = lock_while(place, &goes_on).ok_or(PackError::Stopped)?;
+        let work = |wanted: &(dyn Fn() -> bool + Sync)| {
+            let mut place = lock_while(place, wanted).ok_or(PackError::Stopped)?;
             if let Some(packed) = &*place {
                 return Ok(Arc::clone(packed));
             }
             let mut packed = match content {
                 Held::Packed(packed) if keeps_instances && packed.is_merged() => Arc::new(packed.split()),
                 Held::Packed(packed) => Arc::clone(packed),
-                Held::Scene(scene) if keeps_instances => Arc::new(PackedScene::pack_while(scene, &goes_on)?),
-                Held::Scene(scene) => Arc::new(PackedScene::pack_merged_while(scene, &goes_on)?),
+                Held::Scene(scene) if keeps_instances => Arc::new(PackedScene::pack_while(scene, wanted)?),
+                Held::Scene(scene) => Arc::new(PackedScene::pack_merged_while(scene, wanted)?),
             };
             if packed.cuts != cuts {
                 Arc::make_mut(&mut packed).cuts = cuts;
@@ -149,7 +191,7 @@ impl PyScene {
             *place = Some(Arc::clone(&packed));
             Ok(packed)
         };
-        let packed: Result<_, PackError> = run(py, || wanted.store(false, Ordering::Relaxed), |_| Ok(()), work)?;
+        let packed: Result<_, PackError> = run_while(py, work)?;
         packed.map_err(|error| other(py, error))
     }
 }
@@ -180,7 +222,7 @@ impl PyScene {
         let transform = transform.map_or(Transform::IDENTITY, |transform| transform.0);
         let (voxels, materials) = (&grid.grid, &grid.materials);
         loop {
-            let first = slf.try_borrow_mut()?.changing()?.materials.len();
+            let first = Self::change(slf, |scene| Ok(scene.materials.len()))?;
             if first + materials.len() > MAX_MATERIALS {
                 return Err(argument(format!("more than {MAX_MATERIALS} materials")));
             }
@@ -189,17 +231,13 @@ impl PyScene {
                 0 => Arc::clone(voxels),
                 _ => Arc::new(detach(slf.py(), || counted_from(first as u16, voxels))?),
             };
-            // One that packs the scene ends.
-            let mut held = loop {
-                match slf.try_borrow_mut() {
-                    Ok(held) => break held,
-                    Err(_) => detach(slf.py(), || thread::sleep(PERIOD))?,
-                }
-            };
-            let scene = held.changing()?;
             // Unless one of them has added materials.
-            if scene.materials.len() == first {
-                return Ok(Self::put(scene, counted, materials, transform, name));
+            let put = |scene: &mut Scene| {
+                let is_first = scene.materials.len() == first;
+                Ok(is_first.then(|| Self::put(scene, counted, materials, transform, name)))
+            };
+            if let Some(instance) = Self::change(slf, put)? {
+                return Ok(instance);
             }
         }
     }
@@ -208,25 +246,27 @@ impl PyScene {
     ///
     /// Raises `IndexError` where there is no such instance, `ValueError` for a transform that shears.
     #[pyo3(signature = (instance, transform, *, name=""))]
-    fn add_copy(&mut self, instance: Index, transform: Matrix, name: &str) -> PyResult<usize> {
+    fn add_copy(slf: &Bound<'_, Self>, instance: Index, transform: Matrix, name: &str) -> PyResult<usize> {
         let Index(instance) = instance;
-        let scene = self.changing()?;
-        let of = scene.instances.get(instance).ok_or_else(|| no_instance(instance, scene.instances.len()))?;
-        let copy = Instance { name: name.into(), ..Instance::new(of.grid, transform.0) };
-        scene.instances.push(copy);
-        Ok(scene.instances.len() - 1)
+        Self::change(slf, |scene| {
+            let of = scene.instances.get(instance).ok_or_else(|| no_instance(instance, scene.instances.len()))?;
+            let copy = Instance { name: name.into(), ..Instance::new(of.grid, transform.0) };
+            scene.instances.push(copy);
+            Ok(scene.instances.len() - 1)
+        })
     }
 
     /// Puts an instance elsewhere. For a frame after another, `Renderer.place` is quicker.
     ///
     /// Raises `IndexError` where there is no such instance, `ValueError` for a transform that shears.
-    fn place(&mut self, instance: Index, transform: Matrix) -> PyResult<()> {
+    fn place(slf: &Bound<'_, Self>, instance: Index, transform: Matrix) -> PyResult<()> {
         let Index(instance) = instance;
-        let scene = self.changing()?;
-        let count = scene.instances.len();
-        let instance = scene.instances.get_mut(instance).ok_or_else(|| no_instance(instance, count))?;
-        instance.world_from_grid = transform.0;
-        Ok(())
+        Self::change(slf, |scene| {
+            let count = scene.instances.len();
+            let instance = scene.instances.get_mut(instance).ok_or_else(|| no_instance(instance, count))?;
+            instance.world_from_grid = transform.0;
+            Ok(())
+        })
     }
 
     /// The placed grids.
@@ -268,13 +308,14 @@ impl PyScene {
     /// Replaces a material.
     ///
     /// Raises `IndexError` where there is no such material.
-    fn set_material(&mut self, index: Index, material: PyMaterial) -> PyResult<()> {
+    fn set_material(slf: &Bound<'_, Self>, index: Index, material: PyMaterial) -> PyResult<()> {
         let Index(index) = index;
-        let scene = self.changing()?;
-        let count = scene.materials.len();
-        let no_material = || PyIndexError::new_err(format!("there is no material {index}: the scene has {count}"));
-        *scene.materials.get_mut(index).ok_or_else(no_material)? = material.0;
-        Ok(())
+        Self::change(slf, |scene| {
+            let count = scene.materials.len();
+            let no_material = || PyIndexError::new_err(format!("there is no material {index}: the scene has {count}"));
+            *scene.materials.get_mut(index).ok_or_else(no_material)? = material.0;
+            Ok(())
+        })
     }
 
     /// Light from outside.
@@ -287,9 +328,11 @@ impl PyScene {
     }
 
     #[setter]
-    fn set_sky(&mut self, sky: PySky) -> PyResult<()> {
-        self.changing()?.sky = sky.0;
-        Ok(())
+    fn set_sky(slf: &Bound<'_, Self>, sky: PySky) -> PyResult<()> {
+        Self::change(slf, |scene| {
+            scene.sky = sky.0;
+            Ok(())
+        })
     }
 
     /// Factor on every material's emission.
@@ -302,12 +345,14 @@ impl PyScene {
     }
 
     #[setter]
-    fn set_light_intensity(&mut self, intensity: f32) -> PyResult<()> {
+    fn set_light_intensity(slf: &Bound<'_, Self>, intensity: f32) -> PyResult<()> {
         if !(intensity >= 0.0 && intensity.is_finite()) {
             return Err(argument("light_intensity is ≥ 0"));
         }
-        self.changing()?.light_intensity = intensity;
-        Ok(())
+        Self::change(slf, |scene| {
+            scene.light_intensity = intensity;
+            Ok(())
+        })
     }
 
     /// Named cameras; the first one is the default.
@@ -321,9 +366,11 @@ impl PyScene {
     }
 
     #[setter]
-    fn set_cameras(&mut self, cameras: Vec<PyCamera>) -> PyResult<()> {
-        self.changing()?.cameras = cameras.into_iter().map(|camera| camera.0).collect();
-        Ok(())
+    fn set_cameras(slf: &Bound<'_, Self>, cameras: Vec<PyCamera>) -> PyResult<()> {
+        Self::change(slf, |scene| {
+            scene.cameras = cameras.into_iter().map(|camera| camera.0).collect();
+            Ok(())
+        })
     }
 
     /// What of it is shown: the lowest and the highest corner of a box, world units; `None` where it is all. What the box cuts open is shown filled, and what is
@@ -334,15 +381,16 @@ impl PyScene {
     }
 
     #[setter]
-    fn set_clip(&mut self, clip: Option<(Three, Three)>) -> PyResult<()> {
+    fn set_clip(slf: &Bound<'_, Self>, clip: Option<(Three, Three)>) -> PyResult<()> {
         let clip = clip.map(|(low, high)| (low.single().to_array(), high.single().to_array()));
         let cuts = cuts_of(clip)?;
-        for place in &mut self.packed {
+        let mut held = Self::alone(slf)?;
+        for place in &mut held.packed {
             if let Some(packed) = place.get_mut().unwrap_or_else(PoisonError::into_inner) {
                 Arc::make_mut(packed).cuts = cuts.clone();
             }
         }
-        self.clip = clip;
+        held.clip = clip;
         Ok(())
     }
 
@@ -372,7 +420,7 @@ impl PyScene {
     fn voxels(&self, py: Python<'_>) -> PyResult<u64> {
         match &self.content {
             Held::Scene(scene) => Ok(py.detach(|| scene.grids.iter().map(|grid| grid.count()).sum())),
-            Held::Packed(packed) => Ok(packed.statistics().voxels),
+            Held::Packed(packed) => Ok(py.detach(|| packed.statistics().voxels)),
         }
     }
 
@@ -441,6 +489,48 @@ impl PyScene {
     fn packed_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let packed = self.packed(py, false)?;
         Ok(PyBytes::new(py, &detach(py, || packed.to_bytes())?))
+    }
+
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    fn _of_parts(
+        py: Python<'_>,
+        packed: Option<Vec<u8>>,
+        parts: Option<SceneParts>,
+        clip: Option<Corners>,
+        notes: Vec<String>,
+    ) -> PyResult<Self> {
+        let scene = match (packed, parts) {
+            (Some(packed), _) => Self::from_bytes(py, &packed)?,
+            (None, Some(parts)) => Self::of(scene_of(py, parts)?),
+            (None, None) => return Err(argument("nothing was pickled")),
+        };
+        cuts_of(clip)?;
+        Ok(Self { clip, notes, ..scene })
+    }
+
+    /// For pickle: what makes the same scene, its clip and notes too.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Pickled)> {
+        let (packed, parts) = match &self.content {
+            Held::Packed(packed) => (Some(detach(py, || packed.to_bytes())?), None),
+            Held::Scene(scene) => (None, Some(detach(py, || parts_of(scene))?.map_err(|error| of_packing(py, error))?)),
+        };
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, (packed, parts, self.clip, self.notes.clone())))
+    }
+
+    /// A scene of its own. Voxels that none of the two changes are there once.
+    fn __copy__(&self) -> Self {
+        let content = match &self.content {
+            Held::Scene(scene) => Held::Scene(scene.clone()),
+            Held::Packed(packed) => Held::Packed(Arc::clone(packed)),
+        };
+        let packed = self.packed.each_ref().map(|place| Mutex::new(try_lock(place).and_then(|packed| packed.clone())));
+        Self { content, packed, clip: self.clip, notes: self.notes.clone() }
+    }
+
+    /// As `copy.copy`: what is shared is never changed.
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        self.__copy__()
     }
 
     /// The scene of the bytes of a `.vxt` file.

@@ -1,14 +1,15 @@
 //! `Sky`.
 
 use crate::arguments::Color;
-use crate::errors::{argument, of_reading};
+use crate::errors::{argument, of_packed, of_reading};
 use crate::forks::detach;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use std::path::PathBuf;
 use std::sync::Arc;
-use voxtrace::Sky;
 use voxtrace::import::Limits;
 use voxtrace::sky::{Background, Environment, Sun};
+use voxtrace::{PackedScene, Sky};
 
 /// Light that comes from outside the scene.
 ///
@@ -77,6 +78,21 @@ impl PySky {
     #[getter]
     fn brightness(&self) -> f32 {
         self.0.brightness()
+    }
+
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    fn _of_bytes(py: Python<'_>, scene: &[u8]) -> PyResult<Self> {
+        let scene = detach(py, || PackedScene::from_bytes(scene))?.map_err(|error| of_packed(py, error))?;
+        Ok(Self(scene.sky))
+    }
+
+    /// For pickle: as the sky of an empty scene.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        let mut scene = PackedScene::empty();
+        scene.sky = self.0.clone();
+        let bytes = PyBytes::new(py, &detach(py, || scene.to_bytes())?);
+        Ok((py.get_type::<Self>().getattr("_of_bytes")?, (bytes,)))
     }
 
     fn __repr__(&self) -> String {

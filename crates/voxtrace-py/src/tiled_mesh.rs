@@ -1,5 +1,6 @@
 //! `TiledMesh`: meshes of many files that are one, of whose space many processes voxelize some each. `voxtrace.dask` shares it out.
 
+use crate::arguments::{Number, number_of};
 use crate::errors::{argument, of_reading, raised};
 use crate::forks::detach;
 use crate::tiles::{limits_of, on_threads, unit_of, with_levels, work, writing};
@@ -28,13 +29,13 @@ impl PyTiledMesh {
     fn new(
         py: Python<'_>,
         paths: Vec<PathBuf>,
-        resolution: Option<u32>,
+        resolution: Option<Number<u32>>,
         voxel_size: Option<f64>,
         surface: &str,
-        palette: Option<usize>,
+        palette: Option<Number<usize>>,
         dither: bool,
         unit: Option<&str>,
-        memory: Option<u64>,
+        memory: Option<Number<u64>>,
         trusted: bool,
     ) -> PyResult<Self> {
         let rule = match surface {
@@ -47,9 +48,9 @@ impl PyTiledMesh {
         let options = VoxelizeOptions {
             scale: scale_of(resolution, voxel_size)?.unwrap_or(Scale::Automatic),
             rule,
-            max_materials: palette.unwrap_or(usual.max_materials),
+            max_materials: number_of(palette, "palette", 0)?.unwrap_or(usual.max_materials),
             dither,
-            memory_budget: memory,
+            memory_budget: number_of(memory, "memory", 0)?,
             ..usual
         };
         let import = ImportOptions { limits, unit: unit.map(unit_of).transpose()?, ..ImportOptions::default() };

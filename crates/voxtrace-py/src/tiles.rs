@@ -1,8 +1,9 @@
 //! `TiledCloud`: a scan of many files, of which many processes voxelize some each. `voxtrace.dask` shares it out.
 
+use crate::arguments::{Number, number_of};
 use crate::errors::{argument, of_reading, of_writing, other, raised};
 use crate::forks::detach;
-use crate::interrupt::run;
+use crate::interrupt::{run, run_while};
 use crate::volume::scale_of;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -29,21 +30,22 @@ pub struct PyTiledCloud {
 impl PyTiledCloud {
     /// Opens the files, or those of a folder, and reads their headers.
     #[new]
-    #[pyo3(signature = (paths, *, resolution=None, voxel_size=None, color_by="auto", min_points=1, classes=None, bounds=None, palette=None, dither=false, unit=None, memory=None, trusted=false))]
+    #[pyo3(signature = (paths, *, resolution=None, voxel_size=None, color_by="auto", min_points=Number::Fits(1), classes=None, bounds=None, palette=None, dither=false, unit=None, memory=None, trusted=false),
+        text_signature = "(paths, *, resolution=None, voxel_size=None, color_by='auto', min_points=1, classes=None, bounds=None, palette=None, dither=False, unit=None, memory=None, trusted=False)")]
     #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn new(
         py: Python<'_>,
         paths: Vec<PathBuf>,
-        resolution: Option<u32>,
+        resolution: Option<Number<u32>>,
         voxel_size: Option<f64>,
         color_by: &str,
-        min_points: u32,
+        min_points: Number<u32>,
         classes: Option<&str>,
         bounds: Option<Vec<f64>>,
-        palette: Option<usize>,
+        palette: Option<Number<usize>>,
         dither: bool,
         unit: Option<&str>,
-        memory: Option<u64>,
+        memory: Option<Number<u64>>,
         trusted: bool,
     ) -> PyResult<Self> {
         let color_by = match color_by {
@@ -67,10 +69,10 @@ impl PyTiledCloud {
         let usual = VoxelizeOptions::default();
         let options = VoxelizeOptions {
             scale: scale_of(resolution, voxel_size)?.unwrap_or(Scale::Automatic),
-            points: PointOptions { color_by, min_points: min_points.max(1) },
-            max_materials: palette.unwrap_or(usual.max_materials),
+            points: PointOptions { color_by, min_points: min_points.of("min_points", 0)?.max(1) },
+            max_materials: number_of(palette, "palette", 0)?.unwrap_or(usual.max_materials),
             dither,
-            memory_budget: memory,
+            memory_budget: number_of(memory, "memory", 0)?,
             ..usual
         };
         let import = ImportOptions { limits, points, unit: unit.map(unit_of).transpose()?, ..ImportOptions::default() };
@@ -236,7 +238,7 @@ pub fn with_levels(py: Python<'_>, path: &Path, levels: i32, threads: usize) -> 
     if count == LevelCount::Some(0) {
         return Ok(());
     }
-    let added = detach(py, || on_threads(threads, || add_levels(path, count, &mut |_| true)))?;
+    let added = run_while(py, |wanted| on_threads(threads, || add_levels(path, count, &mut |_| wanted())))?;
     added.map_err(|error| other(py, error))
 }
 

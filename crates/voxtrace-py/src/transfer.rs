@@ -71,9 +71,14 @@ impl PyTransfer {
     /// Colours of labels, which are never interpolated; labels that are not named are not shown.
     #[staticmethod]
     #[pyo3(signature = (colors, *, opacity=1.0))]
-    fn labels(colors: BTreeMap<i32, Color>, opacity: f32) -> PyResult<Self> {
+    fn labels(colors: BTreeMap<i128, Color>, opacity: f32) -> PyResult<Self> {
         check_opacity(opacity)?;
-        let look = |(label, color): (i32, Color)| Ok((label, LabelColor::from(color.reflectance()?)));
+        let fits = |label: i128| {
+            let (least, most) = (i32::MIN, i32::MAX);
+            i32::try_from(label)
+                .map_err(|_| argument(format!("a label is a whole number from {least} to {most}, not {label}")))
+        };
+        let look = |(label, color): (i128, Color)| Ok((fits(label)?, LabelColor::from(color.reflectance()?)));
         let colors = colors.into_iter().map(look).collect::<PyResult<_>>()?;
         Ok(Self(Transfer { opacity, ..Transfer::new("labels", Ramp::Labels(colors)) }))
     }

@@ -1,20 +1,27 @@
 //! `Volume`: samples on a lattice.
 
-use crate::arguments::{Index, Numbers, Three};
+use crate::arguments::{Index, Number, Numbers, Three, number_of};
 use crate::errors::{argument, other};
 use crate::forks::detach;
+use crate::interrupt::run_while;
 use crate::scene::PyScene;
 use crate::transfer::AnyTransfer;
 use numpy::ndarray::{ArrayView3, Axis, Ix3};
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use voxtrace::Volume;
 use voxtrace::glam::{DAffine3, DMat3, DVec3};
 use voxtrace::scene::Unit;
-use voxtrace::volume::{self, VolumeOptions};
+use voxtrace::volume::{self, Preset, VolumeOptions};
 use voxtrace::voxelize::Scale;
+
+/// A volume taken apart: samples, size, affine, unit, whether they are labels and the name; then the preset that suits it, notes and colours of samples.
+type Pickled<S> = (S, [usize; 3], [f64; 12], (Option<String>, bool, String), (Option<String>, Vec<String>, Vec<u8>));
+
+/// Samples as numpy has them, the first axis fastest.
+type Samples<'py> = Bound<'py, PyArray1<f32>>;
 
 /// The edges of the steps, and how many samples are in each.
 type Histogram<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u64>>);
@@ -60,7 +67,7 @@ impl PyVolume {
     /// The samples, shape `(X, Y, Z)`, float32; a copy.
     fn to_numpy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let [x, y, z] = self.0.size;
-        let values = self.0.values.clone().into_pyarray(py);
+        let values = py.detach(|| self.0.values.clone()).into_pyarray(py);
         // The first axis varies fastest here.
         let array = values.reshape([z, y, x]).map_err(argument)?;
         array.call_method1("transpose", ((2, 1, 0),))
@@ -96,6 +103,50 @@ impl PyVolume {
     #[getter]
     fn name(&self) -> &str {
         &self.0.name
+    }
+
+    /// What `__reduce__` has taken apart.
+    #[staticmethod]
+    #[pyo3(signature = (values, size, affine, told, found))]
+    fn _of_parts(
+        values: PyReadonlyArray1<'_, f32>,
+        size: [usize; 3],
+        affine: [f64; 12],
+        told: (Option<String>, bool, String),
+        found: (Option<String>, Vec<String>, Vec<u8>),
+    ) -> PyResult<Self> {
+        let ((unit, is_labels, name), (suited, notes, colors)) = (told, found);
+        let volume = Volume {
+            name,
+            world_from_index: DAffine3::from_cols_array(&affine),
+            unit: unit_of(unit.as_deref())?,
+            is_labels,
+            suited: suited.and_then(|name| Preset::ALL.into_iter().find(|preset| preset.name() == name)),
+            notes,
+            colors: colors.as_chunks::<3>().0.to_vec(),
+            ..Volume::new(size, values.to_vec()?)
+        };
+        volume.validate().map_err(argument)?;
+        Ok(Self(volume))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Pickled<Samples<'py>>)> {
+        let volume = &self.0;
+        let values = py.detach(|| volume.values.clone()).into_pyarray(py);
+        let told = (self.unit().map(str::to_owned), volume.is_labels, volume.name.clone());
+        let suited = volume.suited.map(|preset| preset.name().to_owned());
+        let found = (suited, volume.notes.clone(), volume.colors.as_flattened().to_vec());
+        let parts = (values, volume.size, volume.world_from_index.to_cols_array(), told, found);
+        Ok((py.get_type::<Self>().getattr("_of_parts")?, parts))
+    }
+
+    /// The same one: it is never changed.
+    fn __copy__<'py>(slf: &Bound<'py, Self>) -> Bound<'py, Self> {
+        slf.clone()
+    }
+
+    fn __deepcopy__<'py>(slf: &Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf.clone()
     }
 
     fn __getitem__(&self, sample: (Index, Index, Index)) -> PyResult<f32> {
@@ -139,14 +190,14 @@ impl PyVolume {
     /// `threshold` overrides its threshold. `resolution` is the number of voxels along the longest side, `voxel_size` their edge in units; by default
     /// there is one for each sample. `shell`: only those that a ray from outside can reach are kept.
     ///
-    /// Raises `VoxtraceError` where nothing would be seen.
+    /// Raises `VoxtraceError` where nothing would be seen; Ctrl-C ends it.
     #[pyo3(signature = (transfer=None, *, threshold=None, resolution=None, voxel_size=None, shell=true))]
     fn voxelize(
         &self,
         py: Python<'_>,
         transfer: Option<AnyTransfer>,
         threshold: Option<f32>,
-        resolution: Option<u32>,
+        resolution: Option<Number<u32>>,
         voxel_size: Option<f64>,
         shell: bool,
     ) -> PyResult<PyScene> {
@@ -158,8 +209,8 @@ impl PyVolume {
             overlays: Vec::new(),
         };
         let limits = voxtrace::import::Limits::default();
-        let scene = detach(py, || volume::voxelize(&self.0, &options, &limits))?.map_err(|error| other(py, error))?;
-        Ok(PyScene::of(scene))
+        let scene = run_while(py, |wanted| volume::voxelize_while(&self.0, &options, &limits, wanted))?;
+        Ok(PyScene::of(scene.map_err(|error| other(py, error))?))
     }
 
     fn __repr__(&self) -> String {
@@ -194,25 +245,29 @@ pub fn frame_of(
         (None, Some(rows)) => affine_of(&rows)?,
         (None, None) => DAffine3::IDENTITY,
     };
-    volume.unit = match unit {
-        None => Unit::Voxel,
-        Some("mm") => Unit::Millimetre,
-        Some("m") => Unit::Metre,
-        Some(unit) => return Err(argument(format!("unit is \"mm\", \"m\" or None, not {unit:?}"))),
-    };
+    volume.unit = unit_of(unit)?;
     (volume.is_labels, volume.name) = (labels, name.into());
     Ok(volume)
 }
 
 /// The size of voxels that arguments ask for.
-pub fn scale_of(resolution: Option<u32>, voxel_size: Option<f64>) -> PyResult<Option<Scale>> {
-    match (resolution, voxel_size) {
+pub fn scale_of(resolution: Option<Number<u32>>, voxel_size: Option<f64>) -> PyResult<Option<Scale>> {
+    match (number_of(resolution, "resolution", 1)?, voxel_size) {
         (Some(_), Some(_)) => Err(argument("resolution or voxel_size, not both")),
-        (Some(0), None) => Err(argument("resolution is at least 1")),
         (Some(resolution), None) => Ok(Some(Scale::Resolution(resolution))),
         (None, Some(size)) if size > 0.0 && size.is_finite() => Ok(Some(Scale::VoxelSize(size))),
         (None, Some(size)) => Err(argument(format!("voxel_size is above 0, not {size}"))),
         (None, None) => Ok(None),
+    }
+}
+
+/// The unit of a name.
+fn unit_of(unit: Option<&str>) -> PyResult<Unit> {
+    match unit {
+        None => Ok(Unit::Voxel),
+        Some("mm") => Ok(Unit::Millimetre),
+        Some("m") => Ok(Unit::Metre),
+        Some(unit) => Err(argument(format!("unit is \"mm\", \"m\" or None, not {unit:?}"))),
     }
 }
 

@@ -1,5 +1,6 @@
 //! `TiledVolume`: an array of samples that stays where it is, of which many processes voxelize some layers each. `voxtrace.dask` shares it out.
 
+use crate::arguments::Number;
 use crate::errors::{argument, of_writing, raised};
 use crate::interrupt::run;
 use crate::tiles::{on_threads, with_levels};
@@ -56,10 +57,10 @@ impl PyTiledVolume {
         name: &str,
         transfer: Option<AnyTransfer>,
         threshold: Option<f32>,
-        resolution: Option<u32>,
+        resolution: Option<Number<u32>>,
         voxel_size: Option<f64>,
         shell: bool,
-        memory: u64,
+        memory: Number<u64>,
         trusted: bool,
     ) -> PyResult<Self> {
         let frame = frame_of((shape, Vec::new()), (spacing, affine, unit), labels, name)?;
@@ -88,7 +89,7 @@ impl PyTiledVolume {
                 shell,
                 overlays: Vec::new(),
             },
-            memory,
+            memory: memory.of("memory", 0)?,
             limits: if trusted { unlimited } else { Limits::default() },
             raised: Mutex::new(None),
         })

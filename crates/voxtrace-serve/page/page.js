@@ -151,8 +151,10 @@ async function showThumbnail(place, number) {
       continue;
     }
     place.dataset.done = "true";
-    if (answer?.ok) {
-      const address = URL.createObjectURL(await answer.blob());
+    // An answer may end before it should.
+    const jpeg = answer?.ok ? await answer.blob().catch(() => undefined) : undefined;
+    if (jpeg) {
+      const address = URL.createObjectURL(jpeg);
       const picture = make("img", { alt: "", src: address });
       picture.onload = () => URL.revokeObjectURL(address);
       place.replaceChildren(picture);
@@ -192,7 +194,13 @@ async function addOne(file, folder, line, bar) {
     const link = make("a", { href: `#/scene/${encoded(answer.said.name)}`, textContent: answer.said.name.split("/").at(-1) });
     line.replaceChildren(`${file.name} is here as `, link);
   } else if (answer.status === 409) say(line, `${file.name}: ${answer.said.error}, and was left.`);
-  else say(line, answer.said.error ?? `${file.name}: the server cannot be reached`, "alarm");
+  else say(line, answer.said.error ?? `${file.name}: ${await whyNotSent(file)}`, "alarm");
+}
+
+/** Why a file got no answer. Of one that it cannot read, as of a folder, a browser tells no more than of a server that is away. */
+async function whyNotSent(file) {
+  const isRead = await file.slice(0, 1).arrayBuffer().then(() => true, () => false);
+  return isRead ? "the server cannot be reached" : "it cannot be read here; of a folder, add the files that are in it";
 }
 
 function say(line, text, className = "") {

@@ -113,12 +113,13 @@ export class RemoteView {
       context.imageSmoothingQuality = "high";
       context.imageSmoothingEnabled = picture.width !== width;
       context.drawImage(picture, 0, 0, width, height);
-      picture.close();
       const state = isWhole ? `Finished: ${of} samples` : `${samples} of ${of} samples`;
       // What is said all the time nobody wants to hear.
       this.#state.setAttribute("aria-live", isWhole ? "polite" : "off");
       this.#state.textContent = state;
       Object.assign(this.#canvas.dataset, { frame, view, samples, kind: isWhole ? "png" : "jpeg", pixels: `${picture.width}x${picture.height}` });
+      // From now on it has no size.
+      picture.close();
     } finally {
       if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ type: "ack", frame }));
     }

@@ -67,7 +67,9 @@ export class SceneView {
       this.#remote?.end();
       this.#remote = undefined;
       this.#stage.replaceChildren();
-      if (isHere) void this.#showHere(path, name);
+      // A folder has no bytes of its own, whatever it is called.
+      const isRead = READ_BY_PAGE.test(name) && info.file_bytes !== null;
+      if (isHere) void this.#showHere(isRead ? `/files/${path}` : `/api/packed/${path}`, name);
       else this.#remote = new RemoteView(this.#stage, path, name);
     };
     show(canTraceHere);
@@ -91,11 +93,15 @@ export class SceneView {
     return choice;
   }
 
-  async #showHere(path, name) {
-    await import("/element/voxtrace.js");
+  async #showHere(src, name) {
+    const failure = await import("/element/voxtrace.js").then(() => undefined, (error) => error);
     if (this.#life.signal.aborted || this.#remote) return;
+    if (failure) {
+      const notice = Object.assign(document.createElement("p"), { className: "notice", textContent: `This page cannot trace: ${failure.message}. The server can.` });
+      notice.setAttribute("role", "alert");
+      return void this.#stage.replaceChildren(notice);
+    }
     const viewer = document.createElement("voxtrace-viewer");
-    const src = READ_BY_PAGE.test(name) ? `/files/${path}` : `/api/packed/${path}`;
     for (const [key, value] of Object.entries({ src, alt: `Voxels: ${name}`, "camera-controls": "", "no-drop": "" })) viewer.setAttribute(key, value);
     this.#stage.replaceChildren(viewer);
   }

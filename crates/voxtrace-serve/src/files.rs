@@ -3,7 +3,7 @@
 use crate::places::{Place, stamp_of};
 use crate::refusal::Refusal;
 use axum::body::Body;
-use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use std::io::SeekFrom;
 use std::ops::RangeInclusive;
@@ -14,8 +14,13 @@ use tokio_util::io::ReaderStream;
 /// Bytes that are read at once.
 const PART: usize = 256 << 10;
 
-/// Answers with a file, or the part of it that is asked for.
-pub async fn respond(place: &Place, asked: &HeaderMap, kind: &'static str) -> Result<Response, Refusal> {
+/// Answers with a file, or the part of it that is asked for; parts are asked for by GET alone.
+pub async fn respond(
+    place: &Place,
+    method: &Method,
+    asked: &HeaderMap,
+    kind: &'static str,
+) -> Result<Response, Refusal> {
     let nothing = |_| Refusal::nothing(&place.name);
     let mut file = File::open(&place.path).await.map_err(nothing)?;
     // Of what was opened: another file may have taken the place of the one that was found.
@@ -35,7 +40,8 @@ pub async fn respond(place: &Place, asked: &HeaderMap, kind: &'static str) -> Re
         common(&mut response);
         return Ok(response);
     }
-    let range = match range_of(asked, &tag, length) {
+    let wanted = if *method == Method::GET { range_of(asked, &tag, length) } else { Wanted::All };
+    let range = match wanted {
         Wanted::All => None,
         Wanted::Part(range) => Some(range),
         Wanted::Nothing => {
@@ -103,10 +109,10 @@ mod tests {
         let found = Place { name: "a.vox".into(), metadata: path.metadata().unwrap(), path: path.clone() };
         let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
         runtime.block_on(async {
-            let old = respond(&found, &HeaderMap::new(), "a").await.unwrap();
+            let old = respond(&found, &Method::GET, &HeaderMap::new(), "a").await.unwrap();
             std::fs::write(folder.path().join("new"), "new and longer").unwrap();
             std::fs::rename(folder.path().join("new"), &path).unwrap();
-            let new = respond(&found, &HeaderMap::new(), "a").await.unwrap();
+            let new = respond(&found, &Method::GET, &HeaderMap::new(), "a").await.unwrap();
             assert_ne!(new.headers()[header::ETAG], old.headers()[header::ETAG]);
             assert_eq!(new.headers()[header::CONTENT_LENGTH], "14");
             assert_eq!(axum::body::to_bytes(new.into_body(), 99).await.unwrap(), "new and longer");

@@ -45,7 +45,8 @@ impl Info {
         let statistics = scene.statistics();
         Self {
             name: scene.name.clone(),
-            format: format_of(&place.path).unwrap_or("folder"),
+            // A folder may be called like a file.
+            format: format_of(&place.path).filter(|_| place.metadata.is_file()).unwrap_or("folder"),
             file_bytes: place.metadata.is_file().then_some(place.metadata.len()),
             bytes: *bytes,
             voxels: statistics.voxels,

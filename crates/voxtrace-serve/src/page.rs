@@ -5,7 +5,7 @@ use crate::places::{Place, is_plain};
 use crate::refusal::Refusal;
 use crate::server::App;
 use axum::extract::{Path, State};
-use axum::http::{HeaderMap, header};
+use axum::http::{HeaderMap, Method, header};
 use axum::response::{IntoResponse, Response};
 use std::sync::Arc;
 
@@ -34,6 +34,7 @@ pub async fn file(Path(name): Path<String>) -> Result<Response, Refusal> {
 pub async fn element(
     State(app): State<Arc<App>>,
     Path(name): Path<String>,
+    method: Method,
     asked: HeaderMap,
 ) -> Result<Response, Refusal> {
     let kind = match name.rsplit_once('.') {
@@ -46,5 +47,5 @@ pub async fn element(
     let path = folder.join(&name);
     let metadata = tokio::fs::metadata(&path).await.ok().filter(std::fs::Metadata::is_file);
     let metadata = metadata.ok_or_else(|| Refusal::nothing(&name))?;
-    files::respond(&Place { name, path, metadata }, &asked, kind).await
+    files::respond(&Place { name, path, metadata }, &method, &asked, kind).await
 }

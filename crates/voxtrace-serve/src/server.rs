@@ -15,7 +15,7 @@ use crate::thumbnails::Thumbnails;
 use crate::upload::{self, Uploaded};
 use axum::body::{Body, Bytes};
 use axum::extract::{Path, Query, State};
-use axum::http::{HeaderMap, StatusCode, header};
+use axum::http::{HeaderMap, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, put};
 use axum::{Json, Router};
@@ -277,12 +277,17 @@ impl AsRef<[u8]> for Sent {
 /// The type of files that only programs read.
 const BYTES: &str = "application/octet-stream";
 
-async fn file(State(app): Shared, Path(name): Path<String>, asked: HeaderMap) -> Result<Response, Refusal> {
+async fn file(
+    State(app): Shared,
+    Path(name): Path<String>,
+    method: Method,
+    asked: HeaderMap,
+) -> Result<Response, Refusal> {
     let place = app.root.find_scene(&name)?;
     if !place.metadata.is_file() {
         return Err(Refusal::nothing(&name));
     }
-    let mut response = files::respond(&place, &asked, BYTES).await?;
+    let mut response = files::respond(&place, &method, &asked, BYTES).await?;
     response.headers_mut().insert(header::CONTENT_DISPOSITION, header::HeaderValue::from_static("attachment"));
     Ok(response)
 }

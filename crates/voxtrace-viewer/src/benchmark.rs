@@ -3,6 +3,7 @@
 use crate::engine::Pause;
 use crate::session::{Command, Session};
 use crate::tr;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -50,12 +51,14 @@ impl Benchmark {
         let mut window = Window { scene: subject.scene, sender, wake, is_cancelled: Arc::clone(&is_cancelled) };
         let mut request = subject.request;
         std::thread::spawn(move || {
-            let measured =
-                tempfile::tempdir().map_err(|error| tr!("benchmark.no_folder", error = error)).and_then(|folder| {
-                    request.output = folder.path().to_path_buf();
-                    let results = voxtrace_bench::run(&request, &mut window);
-                    results.map(|results| results.measurements()).map_err(|error: BenchError| error.to_string())
-                });
+            let measured = catch_unwind(AssertUnwindSafe(|| {
+                let folder = tempfile::tempdir().map_err(|error| tr!("benchmark.no_folder", error = error))?;
+                request.output = folder.path().to_path_buf();
+                let results = voxtrace_bench::run(&request, &mut window);
+                results.map(|results| results.measurements()).map_err(|error: BenchError| error.to_string())
+            }));
+            // Without an answer nothing would be traced any more.
+            let measured = measured.unwrap_or_else(|_| Err(tr!("benchmark.failed").into()));
             window.tell(Answer::Done(measured));
         });
         Self { work: "preparing".into(), frames: (0, 0), is_cancelled, answers }

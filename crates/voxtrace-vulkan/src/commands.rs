@@ -3,7 +3,6 @@
 
 use crate::barrier::{barrier, memory_barrier};
 use crate::buffer::Buffer;
-use crate::capabilities::DeviceKind;
 use crate::device::Device;
 use crate::errors::{ResultExt, failed};
 use crate::records::{COUNTER_SLOTS, COUNTER_WORDS, COUNTERS, Counter, Dispatch};
@@ -12,17 +11,11 @@ use bytemuck::{bytes_of, pod_read_unaligned};
 use gpu_allocator::MemoryLocation;
 use std::collections::VecDeque;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use voxtrace_core::TraceError;
 
 /// Submits in flight.
 const SLOTS: usize = 2;
-/// The host never waits longer than this in one call.
-const WAIT_SLICE: Duration = Duration::from_secs(1);
-/// So many times it waits for a submit: those that trace take a fraction of a second, and building acceleration structures for a large scene takes seconds.
-const WAITS: u32 = 60;
-/// The same in software, which compiles shaders on first use and takes long for everything.
-const WAITS_IN_SOFTWARE: u32 = 300;
 /// Parts that a submit may have, one after the other.
 const PARTS: usize = 2;
 /// Times of a submit: when it began, and when each part was over.
@@ -155,13 +148,28 @@ impl Submitter {
         self.settle(result)
     }
 
-    /// Lets an error wait until the device is idle, so that whoever gets it may free what was in use.
+    /// Lets an error wait until nothing is in flight, so that whoever gets it may free what was in use.
     fn settle<T>(&mut self, result: Result<T, TraceError>) -> Result<T, TraceError> {
         if result.is_err() {
-            self.device.wait_idle();
+            self.wait_for_all();
             self.in_flight.clear();
         }
         result
+    }
+
+    /// Waits until all that was submitted is over, or the device is given up.
+    fn wait_for_all(&self) {
+        if self.submitted > 0 && self.wait_until(self.submitted).is_err() && !self.device.is_given_up() {
+            // It is lost, and does nothing any more, or the driver had no memory to wait.
+            self.device.wait_idle();
+        }
+    }
+
+    /// The error of a step on a device that was given up: because of this step, or of other work before it.
+    fn given_up(&self, step: &str, was_waited_for: bool) -> Option<TraceError> {
+        let seconds = self.device.hung()?.as_secs();
+        let what = if was_waited_for { "which" } else { "as other work" };
+        Some(TraceError::DeviceLost { last_pass: format!("{step}, {what} did not end within {seconds} s") })
     }
 
     fn try_submit(&mut self, job: &Job) -> Result<Option<Finished>, TraceError> {
@@ -185,6 +193,10 @@ impl Submitter {
         let submit =
             vk::SubmitInfo::default().command_buffers(&buffers).signal_semaphores(&signals).push_next(&mut timeline);
         let queue = self.device.queue();
+        // Whoever held the queue may have found that the device hangs.
+        if let Some(error) = self.given_up(job.step, false) {
+            return Err(error);
+        }
         // SAFETY: the commands are recorded and not in flight; the queue is locked, so nobody else submits.
         unsafe { self.device.raw.queue_submit(*queue, &[submit], vk::Fence::null()) }.context(job.step)?;
         drop(queue);
@@ -338,22 +350,19 @@ impl Submitter {
         barrier(&self.device, commands);
     }
 
-    /// Waits in slices, so that a device that hangs ends in an error. They are counted, as clocks go on while a machine sleeps or the program is stopped.
-    fn wait_for(&self, value: u64, step: &'static str) -> Result<(), TraceError> {
+    /// Waits for a submit of the queue by its number.
+    fn wait_until(&self, value: u64) -> Result<(), vk::Result> {
         let (semaphores, values) = ([self.timeline], [value]);
         let info = vk::SemaphoreWaitInfo::default().semaphores(&semaphores).values(&values);
-        let waits = if self.device.info().kind == DeviceKind::Cpu { WAITS_IN_SOFTWARE } else { WAITS };
-        for _ in 0..waits {
-            // SAFETY: the semaphore is alive.
-            match unsafe { self.device.raw.wait_semaphores(&info, WAIT_SLICE.as_nanos() as u64) } {
-                Ok(()) => return Ok(()),
-                Err(vk::Result::TIMEOUT) => {}
-                Err(error) => return Err(failed(step, error)),
-            }
-        }
-        let waited = waits * WAIT_SLICE;
-        self.device.give_up(waited);
-        Err(TraceError::DeviceLost { last_pass: format!("{step}, which did not end within {} s", waited.as_secs()) })
+        // SAFETY: the semaphore is alive.
+        self.device.wait_in_slices(|limit| unsafe { self.device.raw.wait_semaphores(&info, limit) })
+    }
+
+    /// As [`Self::wait_until`], of a step.
+    fn wait_for(&self, value: u64, step: &'static str) -> Result<(), TraceError> {
+        let was_given_up = self.device.is_given_up();
+        self.wait_until(value)
+            .map_err(|error| self.given_up(step, !was_given_up).unwrap_or_else(|| failed(step, error)))
     }
 
     /// The times of both parts of a submit.
@@ -388,12 +397,12 @@ fn summed(bytes: &[u8]) -> [u32; COUNTERS] {
 
 impl Drop for Submitter {
     fn drop(&mut self) {
-        self.device.wait_idle();
-        if self.device.hung().is_some() {
+        self.wait_for_all();
+        if self.device.is_given_up() {
             return;
         }
         let raw = &self.device.raw;
-        // SAFETY: the device is idle; null handles are allowed.
+        // SAFETY: nothing is in flight; null handles are allowed.
         unsafe {
             raw.destroy_semaphore(self.timeline, None);
             raw.destroy_query_pool(self.queries, None);

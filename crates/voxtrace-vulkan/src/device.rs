@@ -1,5 +1,7 @@
 //! One open device: its queue, its memory, its extensions.
 
+mod waits;
+
 use crate::allocations::{AllocationTracker, MemoryReport};
 use crate::capabilities::{DeviceInfo, DeviceKind, WELCOME};
 use crate::errors::ResultExt;
@@ -30,6 +32,8 @@ pub struct Device {
     fault: Option<ext::device_fault::Device>,
     /// How long nobody heard of work that did not end.
     hung: OnceLock<Duration>,
+    /// Of a device that was given up: whether the queue that shows pictures does nothing all the same.
+    is_still: OnceLock<bool>,
     info: DeviceInfo,
     budget_bytes: Option<u64>,
     vulkan: Arc<Vulkan>,
@@ -136,6 +140,7 @@ impl Device {
             pipelines: has_pipeline.then(|| khr::ray_tracing_pipeline::Device::new(instance, &raw)),
             fault: info.has(ext::device_fault::NAME).then(|| ext::device_fault::Device::new(instance, &raw)),
             hung: OnceLock::new(),
+            is_still: OnceLock::new(),
             raw,
             queue: first,
             present_queue: second,
@@ -261,45 +266,6 @@ impl Device {
     /// Whether pictures are shown by a queue of their own.
     pub fn has_present_queue(&self) -> bool {
         self.present_queue.is_some()
-    }
-
-    /// Gives the device up after it was waited for so long. Its work may never end: nobody waits for that, and what it uses is not freed.
-    pub(crate) fn give_up(&self, waited: Duration) {
-        let _ = self.hung.set(waited);
-    }
-
-    /// How long it was waited for where it was given up, else `None`.
-    pub(crate) fn hung(&self) -> Option<Duration> {
-        self.hung.get().copied()
-    }
-
-    /// Whether the device was given up, as its work did not end. It may still use all that was made on it, which has to stay.
-    pub fn is_given_up(&self) -> bool {
-        self.hung().is_some()
-    }
-
-    /// Waits until the queue that shows pictures does nothing, unless the device [was given up](Self::is_given_up). What traces
-    /// goes on where it has a queue of its own.
-    pub fn wait_presented(&self) {
-        if self.hung().is_some() {
-            return;
-        }
-        let queue = self.present_queue();
-        // An error means that the device is lost: then it does nothing either.
-        // SAFETY: the queue is locked.
-        let _ = unsafe { self.raw.queue_wait_idle(*queue) };
-    }
-
-    /// Waits until the device does nothing, unless it [was given up](Self::is_given_up).
-    pub fn wait_idle(&self) {
-        if self.hung().is_some() {
-            return;
-        }
-        let _tracing = self.queue();
-        let _presenting = self.present_queue.as_ref().map(|queue| queue.lock().unwrap_or_else(PoisonError::into_inner));
-        // An error means that the device is lost: then it does nothing either.
-        // SAFETY: no thread uses a queue, as all of them are locked.
-        let _ = unsafe { self.raw.device_wait_idle() };
     }
 }
 

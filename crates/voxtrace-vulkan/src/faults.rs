@@ -21,7 +21,8 @@ pub enum Fault {
     SurfaceLost,
     /// The window changed, and its images do not suit any more.
     OutOfDate,
-    /// What was submitted does not end, however long one waits, until the device is opened anew.
+    /// What was submitted does not end, however long one waits by this function, until the device is opened anew. Tracers wait for semaphores, the window for
+    /// fences.
     Hang,
 }
 
@@ -57,7 +58,7 @@ impl Fault {
             Self::SurfaceLost => OF_WINDOWS.contains(&function),
             Self::OutOfDate => OF_WINDOWS[1..].contains(&function),
             Self::OutOfDeviceMemory | Self::OutOfHostMemory => true,
-            Self::Hang => function == "vkWaitSemaphores",
+            Self::Hang => ["vkWaitSemaphores", "vkWaitForFences"].contains(&function),
         }
     }
 }
@@ -83,7 +84,8 @@ struct State {
     calls: Vec<&'static str>,
     fired: Vec<(&'static str, Fault)>,
     is_lost: bool,
-    hangs: bool,
+    /// The function by which one waits in vain.
+    hangs: Option<&'static str>,
     dispatches: u64,
 }
 
@@ -172,7 +174,7 @@ impl Faults {
         }
         // A new device is a healthy one.
         if function == "vkCreateDevice" {
-            (state.is_lost, state.hangs) = (false, false);
+            (state.is_lost, state.hangs) = (false, None);
         }
         let planted = state.planted.iter().position(|(planted, _)| *planted == function);
         let planned = match planted {
@@ -182,10 +184,12 @@ impl Faults {
         if let Some((_, fault)) = planned {
             state.fired.push((function, fault));
             state.is_lost |= fault == Fault::DeviceLost && function != "vkCreateDevice";
-            state.hangs |= fault == Fault::Hang;
+            if fault == Fault::Hang {
+                state.hangs = Some(function);
+            }
             return Some(fault);
         }
-        if state.hangs && Fault::Hang.is_legal(function) {
+        if state.hangs == Some(function) {
             return Some(Fault::Hang);
         }
         (state.is_lost && Fault::DeviceLost.is_legal(function)).then_some(Fault::DeviceLost)

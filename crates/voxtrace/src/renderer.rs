@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use voxtrace_core::cuts::Cuts;
-use voxtrace_core::denoise::{Features, denoise};
+use voxtrace_core::denoise::{Features, denoise, denoise_while};
 use voxtrace_core::dynamic::Patch;
 use voxtrace_core::normals::Normals;
 use voxtrace_core::packed::PackError;
@@ -280,7 +280,10 @@ impl Picture {
         }
         film.earlier = halfway;
         let picture = Self::of_film(FilmFile { frame, scene: SceneStamp::of(scene), film });
-        Ok(Some(if denoises { picture.without_noise(scene) } else { picture }))
+        Ok(match denoises {
+            true => picture.without_noise_while(scene, &|| !progress.is_cancelled()),
+            false => Some(picture),
+        })
     }
 
     /// Brightens the picture by a number of stops: each doubles its radiance on the way to the screen.
@@ -313,6 +316,14 @@ impl Picture {
         let features = Features::of(scene, &self.file.frame, &self.file.film);
         let radiance = denoise(&self.file.film, &features);
         self.denoised_as(Denoised { radiance, filter: "voxtrace" })
+    }
+
+    /// As [`Self::without_noise`], as long as it is `wanted`, which is asked now and then, on several threads, and which says no for good; `None` then.
+    #[must_use]
+    pub fn without_noise_while(self, scene: &PackedScene, wanted: &(dyn Fn() -> bool + Sync)) -> Option<Self> {
+        let features = Features::of_while(scene, &self.file.frame, &self.file.film, wanted)?;
+        let radiance = denoise_while(&self.file.film, &features, wanted)?;
+        Some(self.denoised_as(Denoised { radiance, filter: "voxtrace" }))
     }
 
     /// The same picture as another filter made it: `denoised` has the radiance of each of its pixels.

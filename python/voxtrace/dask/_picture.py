@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .._voxtrace import Camera, Image, Renderer, Scene
-from ._sharing import Packed, address_of_worker, elsewhere, gathered, packed_scene, number_of_workers, renderer_of, sent_bytes, usual_parts
+from ._sharing import Packed, address_of_worker, check_counts, elsewhere, gathered, packed_scene, number_of_workers, renderer_of, sent_bytes, usual_parts
 
 
 def render(
@@ -34,6 +34,7 @@ def render(
     """
     if samples < 1:
         raise ValueError("a picture has at least one sample")
+    check_counts(parts=parts)
     count = min(samples, parts or usual_parts(client))
     # The filter compares what there is after half of the samples.
     bounds = sorted({samples * part // count for part in range(count + 1)} | ({samples // 2} if denoise else set()))
@@ -61,6 +62,7 @@ def render_like(
     """Samples of the picture that a film shows, as `Renderer.render_like` makes them, by the workers of `client`: see `render`."""
     if samples < 1:
         raise ValueError("a picture has at least one sample")
+    check_counts(parts=parts, first_sample=first_sample)
     count = min(samples, parts or usual_parts(client))
     bounds = [first_sample + samples * part // count for part in range(count + 1)]
     films = _shared(client, packed_scene(scene), device, film.to_bytes(), {"region": region}, bounds, None, retries, progress)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import stat
 import statistics
 import tempfile
 import threading
@@ -57,6 +58,24 @@ class Packed:
 _renderers: dict[tuple[Packed, str, str], Renderer] = {}
 #: Whose turn it is: Dask gives a worker as many parts at once as it has threads, and a renderer makes one after the other.
 _turn = threading.Lock()
+#: Where this process keeps scenes on its own, until it ends.
+_own_folder: tempfile.TemporaryDirectory[str] | None = None
+
+
+def check_counts(**counts: int | None) -> None:
+    """Raises `ValueError` for a count below 0."""
+    for name, count in counts.items():
+        if count is not None and count < 0:
+            raise ValueError(f"{name} is a whole number from 0 on, not {count}")
+
+
+def depth_of(levels: int | str | None) -> int:
+    """How many levels of detail a file is given, -1 for all of them."""
+    if levels == "all":
+        return -1
+    depth = int(levels or 0)
+    check_counts(levels=depth)
+    return depth
 
 
 def number_of_workers(client: Any) -> int:
@@ -262,8 +281,7 @@ def address_of_worker() -> str:
 
 def _unpacked(data: bytes, key: str) -> Scene:
     """The scene of a file's bytes, which stays on the worker's disk for the next process that wants it, and not for ever."""
-    folder = Path(tempfile.gettempdir()) / f"voxtrace-{os.getuid() if hasattr(os, 'getuid') else 0}"
-    folder.mkdir(mode=0o700, exist_ok=True)
+    folder = _folder()
     path = folder / f"{key}.vxt"
     with contextlib.suppress(FileNotFoundError):
         # It is wanted now. Another process that has just found it too old may remove it all the same.
@@ -272,6 +290,26 @@ def _unpacked(data: bytes, key: str) -> Scene:
     _forget_old(folder)
     write_whole(path, data)
     return _voxtrace.open(path)
+
+
+def _folder() -> Path:
+    """Where scenes stay on the worker's disk: a folder of this user alone, as whoever else writes there would choose what is traced.
+
+    Its name is known, and others may take it before: then this process has a folder of its own.
+    """
+    global _own_folder
+    user = os.getuid() if hasattr(os, "getuid") else None
+    folder = Path(tempfile.gettempdir()) / f"voxtrace-{user or 0}"
+    with contextlib.suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    # Not what a link leads to.
+    found = folder.lstat()
+    is_alone = user is None or (found.st_uid == user and not found.st_mode & 0o077)
+    if stat.S_ISDIR(found.st_mode) and is_alone:
+        return folder
+    if _own_folder is None:
+        _own_folder = tempfile.TemporaryDirectory(prefix="voxtrace-")
+    return Path(_own_folder.name)
 
 
 def _forget_old(folder: Path) -> None:

@@ -14,7 +14,7 @@ from distributed.protocol import pickle as _pickle
 
 from .._volumes import place_of, samples_of
 from .._voxtrace import TiledVolume, TransferFunction, VoxtraceError
-from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts, write_whole
+from ._sharing import address_of_worker, check_counts, depth_of, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts, write_whole
 
 #: It has no types.
 pickle: Any = _pickle
@@ -70,6 +70,8 @@ def voxelize_array(
         raise ValueError(f"{out}: an array becomes a .vxt file")
     if len(array.shape) != 3 or min(array.shape) < 1:
         raise ValueError(f"an array of shape (X, Y, Z) is wanted, not {tuple(array.shape)}")
+    depth = depth_of(levels)
+    check_counts(parts=parts, memory=memory)
     known_name = getattr(array, "name", None)
     if spacing is None and affine is None:
         affine, known_unit = place_of(array)
@@ -120,7 +122,6 @@ def voxelize_array(
     made = [place / f"{stamp}-{first}-{end}.part" for first, end in shares]
     missing = [(first, end, str(part)) for (first, end), part in zip(shares, made, strict=True) if not part.exists()]
     by_workers(_voxelize, missing, survey, (0.4, 0.95))
-    depth = -1 if levels == "all" else int(levels or 0)
     made_by_one(client, _merge, common, survey, ([str(part) for part in made], str(out), depth), retries)
     if progress:
         progress(1.0)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .._voxtrace import TiledCloud, TiledMesh, VoxtraceError, join_mesh_surveys, join_surveys
-from ._sharing import address_of_worker, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts, write_whole
+from ._sharing import address_of_worker, check_counts, depth_of, made_by_one, made_by_workers, memory_of_part, own_threads, removed, usual_parts, write_whole
 
 #: Memory of a worker that points or triangles and their sorting take, in bytes.
 MEMORY = 512 << 20
@@ -67,7 +67,8 @@ def voxelize(
     out = Path(os.path.abspath(output))
     if out.suffix.lower() != ".vxt":
         raise ValueError(f"{out}: a scan becomes a .vxt file")
-    depth = -1 if levels == "all" else int(levels or 0)
+    depth = depth_of(levels)
+    check_counts(parts=parts, memory=memory)
     place = Path(os.path.abspath(folder)) if folder else out.with_name(f"{out.name}.tiles")
     tiles = _tiles(files)
     memory = memory_of_part(client, memory)

@@ -62,6 +62,8 @@ export class BrowserView implements Shown {
   }
 
   end() {
+    // A scene that is still on its way is for nobody.
+    this.#loads++;
     if (this.element.poster) URL.revokeObjectURL(this.element.poster);
     this.element.remove();
   }

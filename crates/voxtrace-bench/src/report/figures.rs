@@ -44,7 +44,10 @@ impl Picture {
         // Black voxels are single pixels: their colour must not run.
         encoder.set_sampling_factor(jpeg_encoder::SamplingFactor::R_4_4_4);
         let (width, height) = (self.width as u16, self.height as u16);
-        encoder.encode(&self.samples, width, height, jpeg_encoder::ColorType::Rgb).map_err(io::Error::other)
+        encoder.encode(&self.samples, width, height, jpeg_encoder::ColorType::Rgb).map_err(|error| match error {
+            jpeg_encoder::EncodingError::IoError(error) => error,
+            other => io::Error::other(other),
+        })
     }
 
     /// As a PNG.
@@ -53,7 +56,10 @@ impl Picture {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);
-        let into_io = |error: png::EncodingError| io::Error::other(error);
+        let into_io = |error: png::EncodingError| match error {
+            png::EncodingError::IoError(error) => error,
+            other => io::Error::other(other),
+        };
         let mut encoder = encoder.write_header().map_err(into_io)?;
         encoder.write_image_data(&self.samples).map_err(into_io)?;
         encoder.finish().map_err(into_io)

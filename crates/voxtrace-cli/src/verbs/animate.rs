@@ -20,7 +20,7 @@ pub struct AnimateArgs {
     motion: MotionArgs,
     #[command(flatten)]
     clip: ClipArgs,
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = None)]
     render: RenderArgs,
 }
 
@@ -52,6 +52,7 @@ impl AnimateArgs {
         let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =
             self.render.picture.output.drain(..).partition(frames_of);
         self.clip.check(&clips, self.render.size_of_pictures())?;
+        self.clip.warn_of_needless(&clips, report);
         // Before frames are made; what the scene names is known later, and asked about before a clip is written.
         self.render.scene.note();
         clips.iter().try_for_each(|clip| outputs::check(clip))?;

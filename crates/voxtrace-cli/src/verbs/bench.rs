@@ -242,7 +242,9 @@ impl BenchArgs {
     fn scene_options(&self) -> Option<String> {
         let text = |args: &Self| {
             let camera = args.camera_file.as_ref().map(std::fs::read);
-            format!("{:?}", (camera, &args.place, &args.light, &args.changes, &args.import))
+            let mut import = args.import.clone();
+            import.mesh = import.mesh.without_limits();
+            format!("{:?}", (camera, &args.place, &args.light, &args.changes, import))
         };
         let none = Self::augment_args(clap::Command::new("bench").no_binary_name(true)).try_get_matches_from([""; 0]);
         let usual = none.and_then(|none| Self::from_arg_matches(&none)).map(|args| text(&args));

@@ -1,10 +1,13 @@
 //! `voxtrace compare A B`: two reports of `bench`, or two pictures, side by side.
 
 use crate::failure::{Failure, reason};
+use crate::import::warn_of_needless;
 use crate::outputs;
-use crate::picture::{OperatorArg, exposure};
+use crate::picture::{OperatorArg, exposure, tone_options};
 use crate::report::Report;
 use serde_json::{Value, json};
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use voxtrace::difference::{self, Difference, PIXELS_PER_DEGREE, Shown, ShownError};
 use voxtrace::import::opened;
@@ -36,10 +39,18 @@ pub struct CompareArgs {
 
 impl CompareArgs {
     pub fn run(self, report: &Report) -> Result<(), Failure> {
+        for path in [&self.a, &self.b] {
+            // What it is, is told by its first bytes, and a pipe gives them once.
+            if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir()) {
+                let failure = Failure::input(format!("cannot compare {}: it is no file", path.display()));
+                return Err(failure.hint("a pipe can be read once: write what comes out of it to a file"));
+            }
+        }
         match [&self.a, &self.b].map(|path| difference::is_picture(path)) {
             [true, true] => self.pictures(report),
             [false, false] if self.output.is_none() => {
                 let comparison = Comparison::open(&self.a, &self.b)?;
+                self.warn_of_needless("reports have no pictures to show", report);
                 crate::stdout::print(&if self.json { format!("{:#}\n", comparison.json()) } else { comparison.text() });
                 Ok(())
             }
@@ -63,6 +74,9 @@ impl CompareArgs {
             outputs::check(path)?;
         }
         let tone_map = ToneMap { operator: self.tone_map.operator(), exposure: self.exposure };
+        if is_png(&self.a) && is_png(&self.b) {
+            self.warn_of_needless("both pictures are PNG, which are shown as they are", report);
+        }
         let (a, b) = (open(&self.a, &tone_map)?, open(&self.b, &tone_map)?);
         let difference = Difference::of(&a, &b)
             .map_err(|error| Failure::mismatch(error).hint("render both with the same --size and --crop"))?;
@@ -80,6 +94,11 @@ impl CompareArgs {
             self.as_text(&difference)
         });
         Ok(())
+    }
+
+    /// Says which options mean nothing to what is compared.
+    fn warn_of_needless(&self, why: &str, report: &Report) {
+        warn_of_needless(tone_options(self.exposure, self.tone_map), why, report);
     }
 
     fn as_text(&self, difference: &Difference) -> String {
@@ -115,6 +134,13 @@ impl CompareArgs {
             "map": self.output.as_ref().map(|path| path.display().to_string()),
         })
     }
+}
+
+/// Whether a picture is a PNG, by its first bytes.
+fn is_png(path: &Path) -> bool {
+    let mut head = [0; 8];
+    let read = File::open(path).and_then(|mut file| file.read_exact(&mut head));
+    read.is_ok() && head == *b"\x89PNG\r\n\x1a\n"
 }
 
 fn open(path: &Path, tone_map: &ToneMap) -> Result<Shown, Failure> {

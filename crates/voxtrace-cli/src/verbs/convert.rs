@@ -17,7 +17,7 @@ use voxtrace::packed::{FileError, FileErrorKind};
 
 /// What stands on the command line without options.
 const SCENES_AND_OUT: &str = "A file (`voxtrace formats` lists the kinds) or the name of a built-in scene; several LAS or LAZ \
-    files are one cloud. The last is the file to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb, .schem, or a heightmap (.asc, .png)";
+    files are one cloud, several meshes one mesh. The last is the file to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb, .schem, or a heightmap (.asc, .png)";
 
 /// Convert a scene to another format
 #[derive(clap::Args, Clone, Debug)]

@@ -7,8 +7,11 @@ use serde_json::json;
 use std::path::Path;
 use voxtrace::output::FILM_MAGIC;
 
-/// Whether a name is that of a film file.
+/// Whether a name is that of a film file. A pipe gives its bytes once, and whoever reads the scene needs the first ones, too.
 pub fn is_film(name: &str) -> bool {
+    if !Path::new(name).is_file() {
+        return false;
+    }
     let mut head = [0; 8];
     let read = std::fs::File::open(name).and_then(|mut file| std::io::Read::read_exact(&mut file, &mut head));
     read.is_ok() && head == *FILM_MAGIC

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed, is_native};
 use crate::report::Report;
 use serde_json::{Map, Value, json};
+use std::path::Path;
 use voxtrace::animation::{Clip, keyframe_count};
 use voxtrace::import::{Content, vox};
 use voxtrace::packed::{LevelSummary, Levels, Outline, Statistics};
@@ -67,7 +68,9 @@ impl InfoArgs {
 impl InfoArgs {
     /// What the levels of detail of a native file hold, which is asked for whole.
     fn levels(&self) -> Result<Vec<LevelSummary>, Failure> {
-        let path = self.scene.file().filter(|path| is_native(path) && self.scene.memory.level.is_none());
+        // A pipe has been read to its end.
+        let is_file = |path: &&Path| is_native(path) && path.is_file() && self.scene.memory.level.is_none();
+        let path = self.scene.file().filter(is_file);
         let Some(path) = path else { return Ok(Vec::new()) };
         let levels = Levels::open(path).map_err(Failure::input)?;
         let summary = |level| levels.summary(level);

@@ -47,6 +47,7 @@ impl MergeArgs {
             parts.push((path.as_path(), open_film(path)?));
         }
         let mut sum = joined(parts, report)?;
+        self.picture.warn_of_needless(report);
         sum.frame.first_sample = sum.film.first_sample;
         sum.frame.samples = sum.film.sample_range().1;
         sum.frame.aovs = sum.film.aovs.is_some();

@@ -60,7 +60,8 @@ impl PlanArgs {
 
 /// What renders a part: the same command with another verb, other samples and another output.
 fn part_command(words: &[Word], (first, samples): (u32, u32), film: &str) -> Vec<Value> {
-    const REPLACED: [&str; 4] = ["parts", "spp", "first_sample", "output"];
+    // What says how films become pictures is for the command that merges them.
+    const REPLACED: [&str; 7] = ["parts", "spp", "first_sample", "output", "exposure", "tone_map", "bit_depth"];
     let mut command: Vec<String> = vec!["voxtrace".into()];
     let mut has_verb = false;
     let (mut options, mut scenes) = (Vec::new(), Vec::new());

@@ -232,6 +232,10 @@ impl RenderArgs {
                 report.warn(&format!("{option} is for EXR and films, and there is none: add -o NAME.exr"));
             }
         }
+        self.picture.warn_of_needless(report);
+        if self.quality.denoise.is_some() && !self.picture.has_picture() {
+            report.remark(denoise::OF_FILMS);
+        }
         self.render_all(&jobs, stage.as_ref(), (scene, stamp), surroundings.background, resume, report)
     }
 

@@ -17,7 +17,7 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::import::{Data, Kind, READERS};
-use voxtrace::{PackedScene, Volume, scenes};
+use voxtrace::{PackedScene, TraceError, Volume, scenes};
 use voxtrace_viewer::frame_bench::{self, FrameBench, Times, middle_and_most};
 use voxtrace_viewer::{Loader, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
 use voxtrace_vulkan::{Device, Rate, Settings, Traversal};
@@ -27,7 +27,7 @@ use voxtrace_vulkan::{Device, Rate, Settings, Traversal};
 /// F1 lists the keys. Files are dropped on the window, too; options about reading hold for all of them.
 #[derive(clap::Args, Clone, Debug)]
 pub struct ViewerArgs {
-    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene. Several LAS or LAZ files are one cloud
+    /// A file (`voxtrace formats` lists the kinds) or the name of a built-in scene. Several LAS or LAZ files are one cloud, several meshes one mesh
     #[arg(value_name = "SCENE")]
     scenes: Vec<String>,
     /// Size of built-in scenes, for example 500000, 500k or 13.6M voxels
@@ -92,7 +92,13 @@ impl ViewerArgs {
 
     /// The device, what traces and the scene of frames that are measured.
     fn subject(self) -> Result<(Arc<Device>, Traversal, Arc<PackedScene>), Failure> {
-        let device = frame_bench::open_device(self.device.as_deref()).map_err(trace_failure)?;
+        // The processor cannot take the place of the device here.
+        let device = frame_bench::open_device(self.device.as_deref()).map_err(|error| match error {
+            TraceError::Unsupported(_) => {
+                Failure::other(error).hint("`voxtrace devices` lists those that --device takes, by number or name")
+            }
+            error => trace_failure(error),
+        })?;
         let traversal = self.traversal.map_or(Traversal::Walk, Into::into);
         let source = self.scenes.first().cloned().unwrap_or_default();
         let reading = Reading::default();

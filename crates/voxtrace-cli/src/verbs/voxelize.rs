@@ -5,7 +5,7 @@ use crate::import::ImportArgs;
 use crate::interrupt;
 use crate::lattice::LatticeArgs;
 use crate::levels::LevelsArg;
-use crate::load::{MemoryArgs, first_and_more, is_native};
+use crate::load::{MemoryArgs, first_and_more, is_native, named};
 use crate::mesh::{Content, UpArg, announce, settled, voxelize_failure, watched};
 use crate::normals::{NormalsArg, with_normals};
 use crate::outputs;
@@ -23,7 +23,7 @@ use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 /// Turn a mesh or a scan into voxels
 #[derive(clap::Args, Clone, Debug)]
 pub struct VoxelizeArgs {
-    /// A mesh, points, a volume or other voxels, or a folder of tiles, of slices or a world: `voxtrace formats` lists the kinds. Several LAS or LAZ files are one cloud
+    /// A mesh, points, a volume or other voxels, or a folder of tiles, of slices or a world: `voxtrace formats` lists the kinds. Several LAS or LAZ files are one cloud, several meshes one mesh
     #[arg(value_name = "INPUT", required = true)]
     inputs: Vec<PathBuf>,
     /// File to write: .vxt, .vox, a mesh (.glb, .obj, .ply), .qb or .schem
@@ -49,6 +49,7 @@ pub struct VoxelizeArgs {
 impl VoxelizeArgs {
     pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
         self.import.mesh.up_axis = self.import.mesh.up_axis.or(self.up);
+        self.inputs.iter_mut().for_each(|input| *input = named(input));
         let target = Target::of(&self.out)?;
         self.import.edits.most_colors = target.most_colors();
         let (input, out) = (self.input(), self.out.as_path());

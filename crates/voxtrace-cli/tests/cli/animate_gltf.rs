@@ -122,11 +122,15 @@ fn info_lists_the_animations_and_what_cannot_be_played_is_told() {
 }
 
 #[test]
-fn a_scale_that_is_not_uniform_is_told_and_skins_and_other_animations_are_counted() {
+fn a_scale_that_is_not_uniform_is_told_and_skins_that_bend_and_other_animations_are_counted() {
     let folder = folder();
     let scale = animation("go", &[1], "LINEAR").replace("translation", "scale");
     let both = [scale, animation("jump", &[1], "STEP")].join(",");
-    let text = document(&format!(r#""skins":[{{"joints":[0]}}],"animations":[{both}],"#));
+    // Of the joints of the second skin one moves; nobody wears the third.
+    let skins = r#"[{"joints":[0]},{"joints":[0,1]},{"joints":[0,1]}]"#;
+    let text = document(&format!(r#""skins":{skins},"animations":[{both}],"#));
+    let text = text.replace("\"name\":\"stone\"", "\"name\":\"stone\",\"skin\":1");
+    let text = text.replace("\"name\":\"floor\"", "\"name\":\"floor\",\"skin\":0");
     std::fs::write(folder.path("squash.gltf"), text).unwrap();
     std::fs::write(folder.path("goer.bin"), binary([[1.0; 3], [1.0, 2.0, 1.0], [1.0; 3]])).unwrap();
     let output = folder.run(&[&["animate", "squash.gltf", "-o", "x.gif", "--fps", "4"], &SMALL[..]].concat());

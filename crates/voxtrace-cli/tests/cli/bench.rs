@@ -291,6 +291,9 @@ fn a_finished_benchmark_is_not_measured_again_and_damage_is_noticed() {
         let refused = folder.fail(&[&["bench", "room.vxt"], &SMALL[..], &more].concat(), 5);
         assert!(refused.contains("another benchmark: options that say how scenes are read, seen or lit"), "{refused}");
     }
+    // What is read with wider limits is the same scene.
+    run(&folder, &["--cells", "cpu", "--resume", "--trusted"]);
+    assert_eq!(folder.bytes("report/1-room-cpu.csv"), csv);
     // Planted: a line of the CSV is gone.
     let text = String::from_utf8(csv).unwrap();
     std::fs::write(folder.path("report/1-room-cpu.csv"), text.lines().take(5).collect::<Vec<_>>().join("\n")).unwrap();

@@ -43,6 +43,24 @@ fn png_exr_and_film_of_one_render_look_the_same() {
 }
 
 #[test]
+fn transparent_pictures_of_one_render_look_the_same_in_every_format() {
+    let folder = Folder::new();
+    // Along edges some samples of a pixel meet a voxel and some nothing; shadows on a caught ground are transparent everywhere.
+    for (name, options) in [("cut", &["--transparent"][..]), ("shadow", &["--ground", "--shadow-catcher"])] {
+        let [png, exr, half, film] = ["png", "exr", "half.exr", "vxf"].map(|kind| format!("{name}.{kind}"));
+        folder.render(&png, &[&["-o", &film, "--bit-depth", "16"], options].concat());
+        folder.succeed(&["merge", &film, "-o", &half, "--bit-depth", "16"]);
+        folder.succeed(&["merge", &film, "-o", &exr]);
+        assert_eq!(folder.png(&png).channels, 4);
+        for other in [&exr, &half, &film] {
+            let psnr = folder.compared(&png, other, &[])["psnr_db"].as_f64().unwrap();
+            assert!(psnr > 55.0, "{other}: {psnr}");
+        }
+        assert!(folder.compared(&exr, &film, &[])["rmse"].as_f64().unwrap() < 1e-6, "{name}");
+    }
+}
+
+#[test]
 fn the_map_shows_where_one_changed_pixel_is() {
     let folder = Folder::new();
     let picture = folder.render("a.png", &[]);

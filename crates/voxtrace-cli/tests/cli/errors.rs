@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 65] = [
+    let cases: [(&[&str], &str); 66] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -56,6 +56,7 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["render", "room.vox", "--camera", "side", "--camera-file", "a.toml"], "cannot be used with"),
         (&["render", "room.vox", "--frames", "1..4"], "--turntable"),
         (&["render", "room.vox", "--turntable", "--frames", "4..1"], "1..240"),
+        (&["render", "room.vox", "--turntable=4294967295"], "not in 0..=1000000"),
         (&["render", "room.vox", "--flight", "a.toml", "--turntable"], "cannot be used with"),
         (&["render", "room.vox", "--time-limit", "soon"], "duration"),
         (&["render", "room.vox", "--checkpoint-every", "9s"], "not provided: --checkpoint <FILE>"),
@@ -154,6 +155,71 @@ fn a_full_disk_costs_one_file_and_not_the_others() {
     let text = stderr(&output);
     assert!(text.contains("error: cannot write full.png: no space left on device"), "{text}");
     assert_eq!(folder.png("good.png").width, 40);
+    // Every writer says the same of it, whatever library encodes.
+    let clip = ["animate", "room.vox", "--turntable=2", "--size", "40x30", "--spp", "1", "-o", "full.png"];
+    for arguments in
+        [&["compare", "good.png", "good.png", "-o", "full.png"][..], &["convert", "room.vox", "full.png"], &clip]
+    {
+        let line = folder.fail(arguments, 4);
+        let expected = "error: cannot write full.png: no space left on device; hint: free some space";
+        assert!(line.starts_with(expected), "{arguments:?}: {line}");
+    }
+}
+
+#[test]
+fn options_that_mean_nothing_to_what_is_asked_are_said_and_end_nothing() {
+    use crate::common::{SMALL, stderr};
+    let folder = Folder::new();
+    folder.render("a.png", &["-o", "a.vxf"]);
+    let warnings = |arguments: &[&str]| {
+        let output = folder.run(&[arguments, &["--quiet"]].concat());
+        let text = stderr(&output);
+        assert!(output.status.success(), "{arguments:?}: {text}");
+        let lines =
+            text.lines().map(|line| line.strip_prefix("warning: ").unwrap_or_else(|| panic!("{line}")).to_owned());
+        lines.collect::<Vec<String>>()
+    };
+    let render = |options: &[&str]| warnings(&[&["render", "room.vox"], options, &SMALL[..]].concat());
+    let tone = ["--exposure", "1", "--tone-map", "linear"];
+    let device = ["--device", "another", "--fast", "--memory-budget", "1GB", "--primitive", "grid"];
+    let no_png = |option: &str| format!("{option} is for PNG, and there is none: add -o NAME.png");
+    assert_eq!(render(&[&tone[..], &["-o", "b.exr"]].concat()), [no_png("--exposure"), no_png("--tone-map")]);
+    assert_eq!(warnings(&["merge", "a.vxf", "-o", "b.exr", "--exposure", "1"]), [no_png("--exposure")]);
+    for (options, said) in [
+        (&["-o", "b.vxf", "--bit-depth", "16"][..], "--bit-depth is for PNG and EXR, and there is none"),
+        (
+            &[&["-o", "b.png", "--traversal", "cpu"], &device[..]].concat(),
+            "--primitive, --device, --fast, --memory-budget change nothing: the CPU traces",
+        ),
+        (&["-o", "b.png", "--traversal", "cpu", "--fast"], "--fast changes nothing: the CPU traces"),
+        (
+            &["-o", "b.png", "--primitive", "grid"],
+            "--primitive changes nothing: it is for --traversal query and pipeline",
+        ),
+    ] {
+        let warnings = render(options);
+        assert!(warnings.len() == 1 && warnings[0].starts_with(said), "{options:?}: {warnings:?}");
+    }
+    let clip = [&["animate", "room.vox", "--turntable=2", "-o", "b.gif"], &SMALL[..]].concat();
+    let said = warnings(&[&clip[..], &["--clip-quality", "50", "--encoder", "builtin"]].concat());
+    assert_eq!(
+        said,
+        ["--encoder", "--clip-quality"].map(|o| format!("{o} is for MP4, and there is none: add -o NAME.mp4"))
+    );
+    let said = warnings(&[&["compare", "a.png", "a.png"], &tone[..]].concat());
+    assert!(
+        said.len() == 1 && said[0].starts_with("--exposure, --tone-map change nothing: both pictures are PNG"),
+        "{said:?}"
+    );
+    // A film of --denoise knows how noisy it is.
+    assert_eq!(render(&["-o", "b.vxf", "--denoise"]), [""; 0]);
+    // Where they mean something, and what nobody said here, is nothing to talk about.
+    let pictures = ["-o", "b.png", "-o", "b.exr", "--denoise", "--bit-depth", "16"];
+    assert_eq!(render(&[&pictures[..], &tone].concat()), [""; 0]);
+    assert_eq!(warnings(&[&["compare", "a.png", "a.vxf"], &tone[..]].concat()), [""; 0]);
+    let cpu = [&["render", "room.vox", "-q", "-o", "b.png", "--traversal", "cpu"], &SMALL[..]].concat();
+    let output = folder.command(&cpu).env("VOXTRACE_DEVICE", "0").output().unwrap();
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()));
 }
 
 #[cfg(target_os = "linux")]

@@ -172,6 +172,38 @@ fn nothing_new_is_put_into_a_folder_that_is_read_whole() {
 }
 
 #[test]
+fn a_folder_has_its_own_name_however_it_is_reached() {
+    let folder = folder();
+    std::fs::create_dir(folder.path("slices/below")).unwrap();
+    let run =
+        |below: &str, arguments: &[&str]| folder.command(arguments).current_dir(folder.path(below)).output().unwrap();
+    for (below, scene) in [
+        (".", "slices"),
+        (".", "slices/"),
+        (".", "slices/."),
+        (".", "slices/below/.."),
+        ("slices", "."),
+        ("slices", "./"),
+        ("slices/below", ".."),
+        ("slices/below", "../"),
+        ("slices/below", "../."),
+    ] {
+        let output = run(below, &["plan", scene, "--parts", "2"]);
+        let plan = String::from_utf8(output.stdout).unwrap();
+        assert!(
+            plan.contains(r#""outputs":["slices.png"]"#) && plan.contains(r#""slices-part-0.vxf""#),
+            "{scene}: {plan}"
+        );
+        let info: serde_json::Value = serde_json::from_slice(&run(below, &["info", scene, "--json"]).stdout).unwrap();
+        assert_eq!(info["name"], "slices", "{below}, {scene}");
+    }
+    let output = run("slices", &["render", "."]);
+    let error = stderr(&output);
+    assert!(error.contains("cannot write slices.png: this run reads the whole folder"), "{error}");
+    assert_eq!(folder.succeed(&[&["render", "slices/below/.."], &SMALL[..]].concat()), "slices.png\n");
+}
+
+#[test]
 fn the_picture_of_a_mesh_does_not_take_the_place_of_its_texture() {
     // MagicaVoxel exports NAME.obj, NAME.mtl and NAME.png.
     let folder = folder();

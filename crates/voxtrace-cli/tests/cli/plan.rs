@@ -26,6 +26,8 @@ fn the_commands_of_a_plan_make_the_picture_of_one_run() {
         assert_eq!((part["kind"].as_str(), part["first_sample"].as_u64()), (Some("part"), Some(next)));
         next += part["samples"].as_u64().unwrap();
         let command = words(part);
+        // A film knows no exposure.
+        assert!(!command.iter().any(|word| word == "--exposure" || word == "-1"), "{command:?}");
         assert_eq!(
             (&command[..2], command.last().unwrap().as_str()),
             (&["voxtrace".into(), "render".into()][..], "room.vox")
@@ -36,6 +38,7 @@ fn the_commands_of_a_plan_make_the_picture_of_one_run() {
     assert_eq!((next, plan[3]["film"].as_str()), (10, Some("a-part-3.vxf")));
     let merge = words(&plan[4]);
     let merge: Vec<&str> = merge[1..].iter().map(String::as_str).collect();
+    assert!(merge.windows(2).any(|pair| pair == ["--exposure", "-1"]), "{merge:?}");
     // Without one part it is no picture.
     assert!(merge.contains(&"a-part-1.vxf"));
     let missing: Vec<&str> = merge.iter().copied().filter(|word| *word != "a-part-1.vxf").collect();

@@ -100,7 +100,7 @@ fn what_cannot_be_is_refused() {
         (&["--ground=low"], "--ground"),
         (&["--fog", "0"], "density"),
         (&["--fog", "file"], "the file says no fog"),
-        (&["--background", "file"], "the file says no background"),
+        (&["--background", "file"], "the file says no background; hint: name one: --background '#303030'"),
         (&["--background", "#000000", "--transparent"], "--transparent"),
         (&["--shadow-catcher"], "--ground"),
         (&["--ground", "--shadow-catcher", "--fog", "0.1"], "--fog"),

@@ -171,6 +171,21 @@ fn help_documents_every_verb_and_exit_code() {
 }
 
 #[test]
+fn help_of_animate_has_the_scene_among_its_arguments_and_not_among_the_options_of_clips() {
+    let help = Folder::new().succeed(&["animate", "--help"]);
+    assert!(help.contains("\nArguments:\n  <SCENE>"), "{help}");
+    let of_clips = help.split_once("\nClip:\n").unwrap().1.split("\nMeshes and points:\n").next().unwrap();
+    assert!(of_clips.contains("--keep-frames") && !of_clips.contains("--voxels"), "{of_clips}");
+}
+
+#[cfg(feature = "view")]
+#[test]
+fn a_device_that_is_not_there_to_measure_frames_is_not_replaced_by_the_processor_in_the_hint() {
+    let error = Folder::new().fail(&["view", "room.vox", "--bench-frames", "1", "--device", "nosuch"], 1);
+    assert!(error.contains("--device takes") && !error.contains("--traversal cpu"), "{error}");
+}
+
+#[test]
 fn every_scene_of_the_shared_data_opens_and_has_the_voxels_that_its_manifest_says() {
     let Some(data) = data() else { return };
     let folder = Folder::new();
@@ -225,4 +240,41 @@ fn info_as_json_has_unit_voxel_size_cameras_hash_and_what_the_reader_left_out() 
     assert_eq!((mesh["unit"].as_str(), mesh["voxel_size"].as_f64()), (Some("mm"), Some(0.0625)));
     let warnings = mesh["warnings"].as_array().unwrap();
     assert!(warnings.len() == 1 && warnings[0].as_str().unwrap().contains("gone.mtl"), "{warnings:?}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_comes_through_a_pipe_and_pictures_to_compare_are_said_to_need_a_file() {
+    use crate::common::stderr;
+    use std::io::Write;
+    use std::process::{Output, Stdio};
+    let folder = Folder::new();
+    // The name says nothing of the format, or, by a link, that it is native and may have levels of detail.
+    std::os::unix::fs::symlink("/dev/stdin", folder.path("piped.vxt")).unwrap();
+    let piped = |file: &str, arguments: &[&str]| -> Output {
+        let mut command = folder.command(arguments);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        let (mut pipe, bytes) = (child.stdin.take().unwrap(), folder.bytes(file));
+        // Who does not read to the end closes it.
+        let writer = std::thread::spawn(move || pipe.write_all(&bytes).is_ok());
+        let output = child.wait_with_output().unwrap();
+        let _ = writer.join();
+        output
+    };
+    let voxels = |json: &[u8]| serde_json::from_slice::<Value>(json).unwrap()["voxels"].clone();
+    let expected = voxels(folder.succeed(&["info", "room.vox", "--json"]).as_bytes());
+    for (file, name) in [("room.vox", "/dev/stdin"), ("room.vxt", "/dev/stdin"), ("room.vxt", "piped.vxt")] {
+        let output = piped(file, &["info", name, "--json"]);
+        assert!(output.status.success(), "{file} as {name}: {}", stderr(&output));
+        assert_eq!(voxels(&output.stdout), expected, "{file} as {name}");
+    }
+    folder.render("a.png", &[]);
+    let output = piped("a.png", &["compare", "/dev/stdin", "a.png"]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(3), "{said}");
+    assert!(
+        said.contains("cannot compare /dev/stdin: it is no file") && said.contains("write what comes out of it"),
+        "{said}"
+    );
 }

@@ -47,8 +47,20 @@ fn options_of_what_becomes_voxels_are_told_to_change_nothing_of_what_is_voxels()
         let expected = format!("--resolution, --transfer change nothing: the voxels of {name} are taken as they are");
         assert!(both.contains(&expected), "{both}");
         assert!(told(&[name, "--fill"]).contains("warning: --fill changes nothing"));
+        let own = told(&[name, "--up-axis", "x", "--unit", "ft"]);
+        assert!(
+            own.contains("--up-axis, --unit change nothing: ") && own.contains("says itself which way is up"),
+            "{own}"
+        );
+        let blocks = told(&[name, "--block-size", "4", "--resource-pack", "missing.zip"]);
+        let expected = format!("--block-size, --resource-pack change nothing: {name} holds no blocks of Minecraft");
+        assert!(blocks.contains(&expected), "{blocks}");
+        assert!(told(&[name, "--surface", "thin", "--spacing", "2"]).contains("--surface, --spacing change nothing: "));
         assert_eq!(told(&[name, "--palette", "9", "--color-by", "auto"]), "");
     }
+    let made = told(&["city", "--voxels", "5000", "--resolution", "64", "--unit", "m", "--block-size", "2"]);
+    assert!(made.contains("--resolution, --unit, --block-size change nothing: city is made"), "{made}");
+    assert_eq!(told(&["city", "--voxels", "5000"]), "");
 }
 
 #[test]

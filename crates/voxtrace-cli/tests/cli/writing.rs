@@ -124,3 +124,26 @@ fn materials_of_others_beside_an_obj_are_not_written_over() {
     std::fs::copy(folder.path("b.obj"), folder.path("c.obj")).unwrap();
     assert!(folder.fail(&["convert", "c.obj", "b.obj"], 4).contains("this run reads it"));
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_obj_for_which_there_is_no_room_leaves_the_materials_of_the_old_one() {
+    let folder = Folder::new();
+    folder.succeed(&["convert", "room.vox", "a.obj"]);
+    let old = [&folder.bytes("a.mtl")[..], b"# of the old mesh\n"].concat();
+    std::fs::write(folder.path("a.mtl"), &old).unwrap();
+    std::fs::remove_file(folder.path("a.obj")).unwrap();
+    std::os::unix::fs::symlink("/dev/full", folder.path("a.obj")).unwrap();
+    assert!(folder.fail(&["convert", "room.vox", "a.obj"], 4).contains("cannot write a.obj: no space left on device"));
+    assert_eq!(folder.bytes("a.mtl"), old);
+    // Nor the other way about; nothing is left behind.
+    folder.succeed(&["convert", "room.vox", "b.obj"]);
+    let old = [&folder.bytes("b.obj")[..], b"# old\n"].concat();
+    std::fs::write(folder.path("b.obj"), &old).unwrap();
+    std::fs::remove_file(folder.path("b.mtl")).unwrap();
+    std::os::unix::fs::symlink("/dev/full", folder.path("b.mtl")).unwrap();
+    assert!(folder.fail(&["convert", "room.vox", "b.obj"], 4).contains("cannot write b.mtl: no space left on device"));
+    assert_eq!(folder.bytes("b.obj"), old);
+    let mut names = std::fs::read_dir(folder.path("")).unwrap().map(|entry| entry.unwrap().file_name());
+    assert!(names.all(|name| !name.to_string_lossy().ends_with(".tmp")));
+}

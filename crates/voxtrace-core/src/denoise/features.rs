@@ -53,8 +53,24 @@ pub struct Features {
 impl Features {
     /// Casts the camera rays of all samples of `film`, which `frame` asked for, into the scene that it shows.
     pub fn of(scene: &PackedScene, frame: &Frame, film: &Film) -> Self {
+        Self::of_film(scene, frame, film, &|| true)
+    }
+
+    /// As [`Self::of`], as long as it is `wanted`, which is asked now and then, on several threads, and which says no for good; `None` then.
+    pub fn of_while(
+        scene: &PackedScene,
+        frame: &Frame,
+        film: &Film,
+        wanted: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Self> {
+        let features = Self::of_film(scene, frame, film, wanted);
+        wanted().then_some(features)
+    }
+
+    /// The features, or some of them where nobody wants them any more.
+    fn of_film(scene: &PackedScene, frame: &Frame, film: &Film, wanted: &(dyn Fn() -> bool + Sync)) -> Self {
         let mut sums = vec![Sums::default(); film.pixels.len()];
-        gather(scene, &frame.camera, frame, film, 0..u32::MAX, &mut sums);
+        gather(scene, &frame.camera, (frame, film), 0..u32::MAX, &mut sums, wanted);
         Self { pixels: sums.iter().map(Sums::means).collect() }
     }
 
@@ -70,19 +86,26 @@ impl Features {
         let mut sums = vec![Sums::default(); film.pixels.len()];
         for sample in 0..film.sample_range().1 {
             let (scene, camera) = at(frame.first_sample + sample)?;
-            gather(&scene, &camera, frame, film, sample..sample + 1, &mut sums);
+            gather(&scene, &camera, (frame, film), sample..sample + 1, &mut sums, &|| true);
         }
         Ok(Self { pixels: sums.iter().map(Sums::means).collect() })
     }
 }
 
-/// Adds what some samples of a film's pixels show.
-fn gather(scene: &PackedScene, camera: &Camera, frame: &Frame, film: &Film, samples: Range<u32>, sums: &mut [Sums]) {
+/// Adds what some samples of a film's pixels show, as long as that is wanted.
+fn gather(
+    scene: &PackedScene,
+    camera: &Camera,
+    (frame, film): (&Frame, &Film),
+    samples: Range<u32>,
+    sums: &mut [Sums],
+    wanted: &(dyn Fn() -> bool + Sync),
+) {
     let (lights, camera) = (Lights::new(scene), camera.frame(frame.width, frame.height));
     let width = film.region.width().max(1) as usize;
     sums.par_chunks_mut(width).enumerate().for_each(|(row, sums)| {
         let ends = film.pixels[row * width..][..width].iter().map(|pixel| pixel.samples.min(samples.end));
-        let gather = Gather { scene, lights: &lights, frame, camera: &camera, y: film.region.y0 + row as u32 };
+        let gather = Gather { scene, lights: &lights, frame, camera: &camera, y: film.region.y0 + row as u32, wanted };
         gather.row(film.region.x0, ends.map(|end| samples.start..end), sums);
     });
 }
@@ -94,6 +117,7 @@ struct Gather<'a> {
     frame: &'a Frame,
     camera: &'a voxtrace_scene::camera::CameraFrame,
     y: u32,
+    wanted: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl Gather<'_> {
@@ -112,6 +136,9 @@ impl Gather<'_> {
 
     /// Casts the rays of some samples, each a column and a number.
     fn cast(&self, x0: u32, samples: &[(u32, u32)], sums: &mut [Sums]) {
+        if !(self.wanted)() {
+            return;
+        }
         let frame = self.frame;
         let start = |&(x, sample): &(u32, u32)| {
             let sampler =

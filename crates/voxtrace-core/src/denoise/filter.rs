@@ -29,9 +29,23 @@ const LEAST_SUM: f32 = 0.1 * LEAST_ALBEDO;
 /// # Panics
 /// If the features, or the earlier pixels, are as many as those of another film.
 pub fn denoise(film: &Film, features: &Features) -> Vec<Vec3> {
+    filtered(film, features, &|| true)
+}
+
+/// As [`denoise`], as long as it is `wanted`, which is asked now and then, on several threads, and which says no for good; `None` then.
+///
+/// # Panics
+/// As [`denoise`].
+pub fn denoise_while(film: &Film, features: &Features, wanted: &(dyn Fn() -> bool + Sync)) -> Option<Vec<Vec3>> {
+    let radiance = filtered(film, features, wanted);
+    wanted().then_some(radiance)
+}
+
+/// The mean radiance of each pixel, or anything where nobody wants it any more.
+fn filtered(film: &Film, features: &Features, wanted: &(dyn Fn() -> bool + Sync)) -> Vec<Vec3> {
     let width = film.region.width().max(1) as usize;
     assert_eq!(film.pixels.len(), features.pixels.len(), "features are those of the film");
-    let surfaces = Surfaces::new(features, width);
+    let surfaces = Surfaces::new(features, width, wanted);
     let noisy: Vec<Vec3> = light_of(&film.pixels, features);
     let earlier = variance::earlier(film);
     let own_variance = variance::of(&noisy, film, earlier, features, &surfaces);

@@ -17,7 +17,7 @@ mod variance;
 mod wavelet;
 
 pub use features::{FeaturePixel, Features};
-pub use filter::denoise;
+pub use filter::{denoise, denoise_while};
 // For the filter of real-time light.
 #[doc(hidden)]
 pub use filter::trust;

@@ -17,7 +17,7 @@ const PLACE_TOLERANCE: [f32; 2] = [6.0, 1.0];
 const BLACK: f32 = 8.0;
 
 /// The features as the filter reads them, one plane a number.
-pub struct Surfaces {
+pub struct Surfaces<'a> {
     pub width: usize,
     /// Mean normals, of black surfaces longer.
     pub normal: [Vec<f32>; 3],
@@ -29,10 +29,12 @@ pub struct Surfaces {
     pub place_scale: Vec<f32>,
     /// Share of samples that met a surface: 0 or less counts as no pixel.
     pub coverage: Vec<f32>,
+    /// Whether somebody still waits for the picture.
+    pub wanted: &'a (dyn Fn() -> bool + Sync),
 }
 
-impl Surfaces {
-    pub fn new(features: &Features, width: usize) -> Self {
+impl<'a> Surfaces<'a> {
+    pub fn new(features: &Features, width: usize, wanted: &'a (dyn Fn() -> bool + Sync)) -> Self {
         let plane = |of: &(dyn Fn(&FeaturePixel) -> f32 + Sync)| features.pixels.par_iter().map(of).collect();
         let normal =
             |pixel: &FeaturePixel| if pixel.albedo == Vec3::ZERO { BLACK * pixel.normal } else { pixel.normal };
@@ -44,6 +46,7 @@ impl Surfaces {
             normal_scale: plane(&|p| 1.0 / (NORMAL_TOLERANCE[0] + NORMAL_TOLERANCE[1] * spread(p))),
             place_scale: plane(&|p| 1.0 / (PLACE_TOLERANCE[0] + PLACE_TOLERANCE[1] * p.roughness)),
             coverage: plane(&|p| p.coverage),
+            wanted,
         }
     }
 

@@ -1,10 +1,11 @@
 //! The filter against pictures whose truth is known.
 
-use super::{FeaturePixel, Features, denoise};
+use super::{FeaturePixel, Features, denoise, denoise_while};
 use crate::film::{Film, Pixel};
 use crate::frame::Region;
 use crate::sampler::Sampler;
 use glam::Vec3;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 const SIZE: u32 = 64;
 const SAMPLES: u32 = 16;
@@ -220,5 +221,22 @@ fn what_chance_at_glass_leaves_in_features_goes_away() {
         let mut case = Case::new(0.1, |x, y| pane(x, y, chance));
         case.truth = vec![Vec3::splat(0.2 + 0.5 * 0.9); case.truth.len()];
         assert_eq!(case.check(0.35).is_ok(), goes);
+    }
+}
+
+#[test]
+fn the_filter_ends_soon_once_nobody_wants_the_picture() {
+    let case = Case::new(1.0, |x, y| (checkered(x, y), floor(x, y, checkered(x, y))));
+    let asked = AtomicU32::new(0);
+    let filtered = |most: u32| {
+        asked.store(0, Ordering::Relaxed);
+        denoise_while(&case.film, &case.features, &|| asked.fetch_add(1, Ordering::Relaxed) < most)
+    };
+    assert_eq!(filtered(u32::MAX).unwrap(), denoise(&case.film, &case.features));
+    // Every row of every level asks: large pictures have long rows, and the levels take the time.
+    let times = asked.load(Ordering::Relaxed);
+    assert!(times > 4 * SIZE, "{times}");
+    for most in [0, 1, times / 2, times - 1] {
+        assert!(filtered(most).is_none(), "{most} of {times}");
     }
 }

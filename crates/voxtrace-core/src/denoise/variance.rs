@@ -110,6 +110,9 @@ fn mean(values: &[f32], surfaces: &Surfaces, step: usize) -> Vec<f32> {
     let width = surfaces.width;
     let mut out = vec![0.0; values.len()];
     out.par_chunks_mut(width).enumerate().for_each(|(y, out)| {
+        if !(surfaces.wanted)() {
+            return;
+        }
         let mut weights = vec![0.0; width];
         let mut alike = vec![0.0; width];
         for tap in wavelet::taps(y, width, values.len() / width, step) {

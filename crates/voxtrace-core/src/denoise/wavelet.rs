@@ -97,6 +97,9 @@ fn smooth_row(light: &Light, surfaces: &Surfaces, tolerance: &[f32], y: usize, s
     let height = light.variance.len() / width;
     let zero = || vec![0.0_f32; width];
     let mut row = Row { sums: [zero(), zero(), zero()], variance: zero(), weights: zero(), centre: zero() };
+    if !(surfaces.wanted)() {
+        return row;
+    }
     let mut alike = zero();
     let own: [&[f32]; 3] = light.channels.each_ref().map(|channel| &channel[y * width..][..width]);
     let brightness = |r: f32, g: f32, b: f32| 0.2126 * r + 0.7152 * g + 0.0722 * b;

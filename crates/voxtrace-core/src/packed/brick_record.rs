@@ -42,7 +42,8 @@ pub(super) fn encode_bricks(bricks: &[(IVec3, impl Borrow<Brick> + Sync)], entry
     };
     for mut chunk in chunks {
         for &position in &chunk.positions {
-            chunk.records[position + 1] += all.materials.len() as u32;
+            // Whether 32 bits reach is asked when all are there.
+            chunk.records[position + 1] = chunk.records[position + 1].wrapping_add(all.materials.len() as u32);
             all.positions.push(all.records.len() + position);
         }
         all.records.append(&mut chunk.records);

@@ -57,16 +57,19 @@ impl Geometry {
             let bricks = self.brick_cells(grid);
             let size: IVec3 = (grid.max - grid.origin + 7) >> 3;
             let count = size.to_array().iter().map(|&n| n as u64).product::<u64>();
-            if count > (MOST_CELLS_PER_BRICK * bricks.len() as u64).max(64) {
+            // Cells and the corners between them are counted in 31 bits, words before those of the grid in 32.
+            let corners = (size + 1).to_array().iter().map(|&n| n as u64).product::<u64>();
+            if count > (MOST_CELLS_PER_BRICK * bricks.len() as u64).max(64) || corners > i32::MAX as u64 {
                 return None;
             }
+            let top_offset = u32::try_from(cells.len()).ok()?;
             let mut own = vec![0; count as usize];
             for (at, cell) in bricks {
                 own[((at.z * size.y + at.y) * size.x + at.x) as usize] = cell;
             }
             add_boxes(size, &mut own);
             own.resize(own.len().next_multiple_of(64), 0);
-            grids.push(PackedGrid { top_shift: 3, top_size: size, top_offset: cells.len() as u32, ..*grid });
+            grids.push(PackedGrid { top_shift: 3, top_size: size, top_offset, ..*grid });
             cells.append(&mut own);
         }
         Some((cells, grids))

@@ -46,7 +46,7 @@ pub enum PackError {
     /// An instance is sheared, scaled unevenly, flattened or not finite.
     #[error("the transform of instance {0} is not a rotation, mirror, uniform scale and translation")]
     BadTransform(usize),
-    /// More words than an index of 31 bits can reach.
+    /// More words, or pairs or nodes of them, than an index can reach.
     #[error("the scene is too large: {0} words of {1}")]
     TooLarge(u64, &'static str),
     /// Nobody waits for it any more: see [`PackedScene::pack_while`].
@@ -274,7 +274,8 @@ pub(super) fn material_bits_of(scene: &Scene) -> u32 {
 /// Position of a cell, in cells from the grid's origin, among the cells of its level.
 fn cell_position(level: &Level, cell: IVec3) -> usize {
     if level.nodes.is_empty() {
-        return ((cell.z * level.size.y + cell.y) * level.size.x + cell.x) as usize;
+        let [[x, y, z], [wide, deep, _]] = [cell, level.size].map(|at| at.to_array().map(|n| n as usize));
+        return (z * deep + y) * wide + x;
     }
     level.index_of[&(cell >> 2)] as usize * 64 + cell_in_node(cell, 0)
 }
@@ -337,6 +338,7 @@ impl GridPart {
         if let Some(&(name, words)) = sizes.iter().find(|(_, words)| *words >= u64::from(CELL_OCCUPIED)) {
             return Err(PackError::TooLarge(words, name));
         }
+        self.grid.top_offset = top_offset(cells.len())?;
         for (index, cell) in self.cells.iter_mut().enumerate() {
             if *cell & CELL_OCCUPIED != 0 {
                 *cell += if index < self.first_brick_cell { node_offset } else { brick_offset };
@@ -345,13 +347,18 @@ impl GridPart {
         for &position in &self.bricks.positions {
             self.bricks.records[position + 1] += material_offset;
         }
-        self.grid.top_offset = cells.len() as u32;
         grids.push(self.grid);
         append_or_move(cells, self.cells);
         append_or_move(bricks, self.bricks.records);
         append_or_move(brick_materials, self.bricks.materials);
         Ok(())
     }
+}
+
+/// Where the top cells of a grid begin behind so many cells. Nodes are named by their number, but top cells by that of their first word, so that less of
+/// these can stand before them.
+pub(super) fn top_offset(cells: usize) -> Result<u32, PackError> {
+    u32::try_from(cells).map_err(|_| PackError::TooLarge(cells as u64, "cells before those of a grid"))
 }
 
 /// Appends, without a copy where there was nothing yet: the first grid may be gigabytes.
@@ -368,6 +375,14 @@ mod tests {
     use super::*;
     use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
     use voxtrace_scene::material::Material;
+
+    #[cfg(target_pointer_width = "64")]
+    #[test]
+    fn top_cells_begin_where_32_bits_can_say_it_or_are_an_error() {
+        assert_eq!(top_offset(u32::MAX as usize), Ok(u32::MAX));
+        let beyond = u32::MAX as usize + 1;
+        assert_eq!(top_offset(beyond), Err(PackError::TooLarge(1 << 32, "cells before those of a grid")));
+    }
 
     #[test]
     fn packing_ends_where_nobody_waits_for_it_and_is_the_same_where_somebody_does() {

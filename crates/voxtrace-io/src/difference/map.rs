@@ -2,6 +2,7 @@
 //! Smith, 2015) by a polynomial that fits it (M. Zucker, 2019).
 
 use super::Difference;
+use crate::output::png_error;
 use glam::DVec3;
 use std::io::{self, Write};
 
@@ -32,11 +33,11 @@ impl Difference {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         let software = concat!("voxtrace ", env!("CARGO_PKG_VERSION")).to_owned();
-        encoder.add_text_chunk("Software".into(), software).map_err(io::Error::other)?;
+        encoder.add_text_chunk("Software".into(), software).map_err(png_error)?;
         let bytes: Vec<u8> = self.flip.iter().flat_map(|&value| magma(value)).collect();
-        let mut encoder = encoder.write_header()?;
-        encoder.write_image_data(&bytes)?;
-        encoder.finish().map_err(io::Error::other)
+        let mut encoder = encoder.write_header().map_err(png_error)?;
+        encoder.write_image_data(&bytes).map_err(png_error)?;
+        encoder.finish().map_err(png_error)
     }
 }
 

@@ -2,11 +2,12 @@
 
 use crate::output::{FILM_MAGIC, FilmFile, FilmFileError, ToneMap};
 use exr::prelude::{MetaData, ReadChannels, ReadLayers, read};
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::Path;
+use voxtrace_core::film::Pixel;
 use voxtrace_core::frame::MAX_PIXELS;
 
 const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -46,8 +47,9 @@ pub fn is_picture(path: &Path) -> bool {
 }
 
 impl Shown {
-    /// Reads a file, told by its first bytes. Of an EXR it takes the channels `R`, `G` and `B`. EXR and films have radiance,
-    /// which `tone_map` makes visible; a PNG is what it is.
+    /// Reads a file, told by its first bytes. Of an EXR it takes the channels `R`, `G`, `B` and, where there is one, `A`, by which the colours
+    /// are multiplied. EXR and films have radiance, which `tone_map` makes visible; a PNG is what it is. What is transparent is shown alike,
+    /// whichever file it comes from: tone-mapped for itself, as in a PNG, and then laid over black.
     ///
     /// # Errors
     /// [`ShownError`].
@@ -56,7 +58,7 @@ impl Shown {
         if bytes.starts_with(PNG_MAGIC) {
             return of_png(&bytes);
         }
-        let (width, height, radiance) = if bytes.starts_with(EXR_MAGIC) {
+        let (width, height, pixels) = if bytes.starts_with(EXR_MAGIC) {
             radiance_of_exr(bytes)?
         } else if bytes.starts_with(FILM_MAGIC) {
             let file = FilmFile::from_bytes(&bytes).map_err(|error| match error {
@@ -64,17 +66,32 @@ impl Shown {
                 error => ShownError::Malformed(error.to_string()),
             })?;
             let region = file.film.region;
-            (region.width(), region.height(), file.film.pixels.iter().map(|pixel| pixel.mean()).collect())
+            let is_transparent = file.frame.transparent;
+            let alpha = |pixel: &Pixel| if is_transparent { pixel.alpha() } else { 1.0 };
+            let pixels = file.film.pixels.iter().map(|pixel| pixel.mean().extend(alpha(pixel))).collect();
+            (region.width(), region.height(), pixels)
         } else {
             return Err(ShownError::NoPicture);
         };
-        Ok(Self::of_radiance(width, height, &radiance, tone_map))
+        let signal = pixels.par_iter().map(|&pixel: &Vec4| over_black(pixel, tone_map)).collect();
+        Ok(Self { width, height, signal })
     }
 
     /// What a screen shows of linear radiance, one value a pixel.
     pub fn of_radiance(width: u32, height: u32, radiance: &[Vec3], tone_map: &ToneMap) -> Self {
         let signal = radiance.par_iter().map(|&radiance| tone_map.signal(radiance).as_vec3()).collect();
         Self { width, height, signal }
+    }
+}
+
+/// What a screen shows of radiance that is multiplied by its alpha, over black: the signal of what covers the pixel, as far as it does. Light
+/// that nothing covers is added to what is behind it.
+fn over_black(pixel: Vec4, tone_map: &ToneMap) -> Vec3 {
+    let (radiance, alpha) = (pixel.truncate(), pixel.w);
+    if alpha > 0.0 && alpha < 1.0 {
+        tone_map.signal(radiance / alpha).as_vec3() * alpha
+    } else {
+        tone_map.signal(radiance).as_vec3()
     }
 }
 
@@ -121,8 +138,9 @@ fn of_png(bytes: &[u8]) -> Result<Shown, ShownError> {
     Ok(Shown { width: frame.width, height: frame.height, signal })
 }
 
-fn radiance_of_exr(bytes: Vec<u8>) -> Result<(u32, u32, Vec<Vec3>), ShownError> {
-    type Pixels = (usize, Vec<Vec3>);
+/// Radiance and alpha; the latter is 1 where the file has none.
+fn radiance_of_exr(bytes: Vec<u8>) -> Result<(u32, u32, Vec<Vec4>), ShownError> {
+    type Pixels = (usize, Vec<Vec4>);
     let malformed = |error: exr::error::Error| ShownError::Malformed(error.to_string());
     for header in MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(malformed)?.headers {
         check_size(header.layer_size.width() as u64, header.layer_size.height() as u64)?;
@@ -130,11 +148,11 @@ fn radiance_of_exr(bytes: Vec<u8>) -> Result<(u32, u32, Vec<Vec3>), ShownError> 
     let image = read()
         .no_deep_data()
         .largest_resolution_level()
-        .rgb_channels(
-            |size, _| (size.width(), vec![Vec3::ZERO; size.area()]),
-            |pixels: &mut Pixels, at, (r, g, b): (f32, f32, f32)| {
+        .rgba_channels(
+            |size, _| (size.width(), vec![Vec4::ZERO; size.area()]),
+            |pixels: &mut Pixels, at, (r, g, b, a): (f32, f32, f32, f32)| {
                 let index = at.y() * pixels.0 + at.x();
-                pixels.1[index] = Vec3::new(r, g, b);
+                pixels.1[index] = Vec4::new(r, g, b, a);
             },
         )
         .first_valid_layer()
@@ -163,5 +181,18 @@ mod tests {
         check_size(1 << 14, 1 << 14).unwrap();
         check_size((1 << 14) + 1, 1 << 14).unwrap_err();
         check_size(u64::MAX, 2).unwrap_err();
+    }
+
+    #[test]
+    fn what_is_transparent_is_tone_mapped_for_itself_and_then_laid_over_black() {
+        let map = ToneMap::default();
+        let (color, shown) = (Vec3::new(2.0, 0.5, 0.1), |pixel: Vec4| over_black(pixel, &map));
+        let whole = map.signal(color).as_vec3();
+        assert_eq!((shown(color.extend(1.0)), shown((color * 0.25).extend(0.25))), (whole, whole * 0.25));
+        assert_ne!(map.signal(color * 0.25).as_vec3(), whole * 0.25);
+        // Light that nothing covers, and alpha that is no share.
+        for alpha in [0.0, -1.0, 2.0, f32::NAN] {
+            assert_eq!(shown(color.extend(alpha)), whole, "{alpha}");
+        }
     }
 }

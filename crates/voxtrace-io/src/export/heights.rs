@@ -2,6 +2,8 @@
 //! voxels, their place and columns without a voxel; PNG of 16 bits keeps voxels above the lowest one.
 
 use super::{ExportError, bake_failure};
+#[cfg(feature = "pictures")]
+use crate::output::png_error;
 use crate::output::write_atomically;
 use glam::{DVec3, IVec3};
 use std::io::{self, Write};
@@ -122,10 +124,10 @@ pub fn write_png(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError>
         let mut encoder = png::Encoder::new(file, size.x, size.y);
         encoder.set_color(png::ColorType::Grayscale);
         encoder.set_depth(png::BitDepth::Sixteen);
-        encoder.add_text_chunk("Software".into(), "voxtrace".into())?;
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(&bytes)?;
-        writer.finish().map_err(io::Error::from)
+        encoder.add_text_chunk("Software".into(), "voxtrace".into()).map_err(png_error)?;
+        let mut writer = encoder.write_header().map_err(png_error)?;
+        writer.write_image_data(&bytes).map_err(png_error)?;
+        writer.finish().map_err(png_error)
     })
     .map_err(|error| ExportError::Io { path: path.into(), error })?;
     Ok(left_out())

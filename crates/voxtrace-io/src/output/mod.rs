@@ -26,6 +26,8 @@ pub use metadata::Metadata;
 #[cfg(feature = "pictures")]
 pub use picture::{Denoised, PictureFormat, PictureOptions};
 #[cfg(feature = "pictures")]
+pub(crate) use png::into_io as png_error;
+#[cfg(feature = "pictures")]
 pub use png::{PngDepth, PngOptions, write_png};
 pub use tone_bytes::ToneBytes;
 pub use tone_map::{Operator, ToneMap};

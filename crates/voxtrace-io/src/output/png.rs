@@ -60,7 +60,7 @@ pub fn write(
         } else {
             encoder.add_itxt_chunk((*name).into(), text)
         };
-        added.map_err(io::Error::other)?;
+        added.map_err(into_io)?;
     }
     let mut encoder = encoder.write_header().map_err(into_io)?;
     encoder.write_image_data(&samples(film, denoised, options)).map_err(into_io)?;
@@ -92,7 +92,8 @@ fn samples(film: &Film, denoised: Option<&[Vec3]>, options: &PngOptions) -> Vec<
     samples
 }
 
-fn into_io(error: png::EncodingError) -> io::Error {
+/// The error of the operating system as it is, so that whoever reads its kind is told of a full disk.
+pub fn into_io(error: png::EncodingError) -> io::Error {
     match error {
         png::EncodingError::IoError(error) => error,
         other => io::Error::other(other),

@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const drawn = [];
+const made = {};
 class Element extends EventTarget {
   dataset = {};
   clientWidth = 30;
@@ -17,7 +18,7 @@ class Element extends EventTarget {
 }
 let socket;
 Object.assign(globalThis, {
-  document: { createElement: () => new Element() },
+  document: { createElement: (name) => (made[name] = new Element()) },
   location: { protocol: "http:", host: "localhost" },
   devicePixelRatio: 1,
   requestAnimationFrame: (does) => setTimeout(does, 0),
@@ -25,7 +26,7 @@ Object.assign(globalThis, {
   // A PNG takes longer to read.
   createImageBitmap: async (blob) => {
     await new Promise((done) => setTimeout(done, blob.type === "image/png" ? 60 : 5));
-    return { name: await blob.text(), width: 3, height: 2, close() {} };
+    return { name: await blob.text(), width: 3, height: 2, close() { this.width = this.height = 0; } };
   },
   WebSocket: class {
     static OPEN = 1;
@@ -58,3 +59,4 @@ const shown = () => socket.said.filter(({ type }) => type === "ack").map(({ fram
 await until("each is acknowledged, shown or not", () => shown().length === 3);
 assert.deepEqual(shown(), [1, 2, 3]);
 assert.deepEqual(drawn, ["coarse", "coarse, of the next view"]);
+assert.deepEqual([made.canvas.dataset.frame, made.canvas.dataset.pixels], [3, "3x2"]);

@@ -48,6 +48,8 @@ globalThis.XMLHttpRequest = class {
     setTimeout(() => {
       underWay--;
       const name = this.address.match(/([^/]*)\.vox/)[1];
+      // Browsers say the same of a server that is away and of a folder, whose bytes cannot be read.
+      if (["away", "folder"].includes(name)) return this.onerror();
       const isThere = !this.address.endsWith("?replace=true") && name !== "new";
       this.status = isThere ? 409 : 201;
       this.response = isThere ? { error: `${name}.vxt is there already` } : { name: `${name}.vxt` };
@@ -94,6 +96,13 @@ assert.match(lines()[2], /^odd\.vox: /);
 page.dispatchEvent(Object.assign(new Event("drop"), { dataTransfer: { types: ["Files"], files: [{ name: "huge.vox", size: 1001 }] } }));
 await until("it is told why", () => /^huge\.vox: it is larger than the 1\.00 kB/.test(lines()[4] ?? ""));
 assert.equal(sent.length, 5);
+// Nor is what cannot be read the server's fault.
+const given = (name, arrayBuffer) => ({ name, slice: () => ({ arrayBuffer }) });
+const files = [given("folder.vox", () => Promise.reject(new Error("no file"))), given("away.vox", async () => new ArrayBuffer(1))];
+page.dispatchEvent(Object.assign(new Event("drop"), { dataTransfer: { types: ["Files"], files } }));
+await until("it is told which", () => lines()[6]?.startsWith("away.vox: "));
+assert.match(lines()[5], /^folder\.vox: it cannot be read here; of a folder, /);
+assert.equal(lines()[6], "away.vox: the server cannot be reached");
 // An address that somebody has typed, with a sign that means nothing there: what goes wrong here ends the test.
 location.hash = "#/folder/100%";
 page.dispatchEvent(new Event("hashchange"));

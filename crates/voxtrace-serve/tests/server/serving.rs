@@ -1,6 +1,6 @@
 //! What the server gives.
 
-use crate::client::{get, get_with};
+use crate::client::{exchange, get, get_with, head};
 use crate::{Running, city, files_below};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -183,6 +183,24 @@ fn a_folder_of_slices_is_read_again_when_one_of_them_changes() {
 }
 
 #[test]
+fn a_folder_that_is_called_like_a_file_is_a_folder() {
+    let running = Running::start(|_| ());
+    let folder = running.folder().join("slices.vox");
+    fs::create_dir(&folder).unwrap();
+    for number in 0..3 {
+        let file = fs::File::create(folder.join(format!("{number}.png"))).unwrap();
+        let mut encoder = png::Encoder::new(file, 4, 4);
+        encoder.set_color(png::ColorType::Grayscale);
+        encoder.write_header().unwrap().write_image_data(&[200; 16]).unwrap();
+    }
+    let answer = get(running.address, "/api/info/slices.vox");
+    let info: serde_json::Value = serde_json::from_slice(&answer.body).unwrap();
+    assert_eq!((info["format"].as_str(), &info["file_bytes"]), (Some("folder"), &serde_json::Value::Null));
+    let scene = get(running.address, "/api/packed/slices.vox");
+    assert_eq!((scene.status, get(running.address, "/files/slices.vox").status), (200, 404));
+}
+
+#[test]
 fn a_scene_for_pages_is_the_file_packed_whatever_its_format() {
     let running = Running::start(|_| ());
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n";
@@ -212,6 +230,10 @@ fn files_come_in_parts_of_one_version() {
     assert_eq!((last.status, last.body.as_slice()), (206, &bytes[bytes.len() - 10..]));
     assert_eq!(get_with(address, "/files/scene.vxt", &["range: bytes=99999999-"]).status, 416);
     assert_eq!(get_with(address, "/files/scene.vxt", &[&format!("if-none-match: {tag}")]).status, 304);
+    // Of a part only GET knows (RFC 9110, section 14.2).
+    let asked = exchange(address, head("HEAD", "/files/scene.vxt", address, &["range: bytes=100-199"]).as_bytes());
+    assert_eq!((asked.status, asked.header("content-range"), asked.body.len()), (200, None, 0));
+    assert_eq!(asked.header("content-length"), Some(&*bytes.len().to_string()));
     // Another version comes whole, whatever part of the old one is asked for.
     city(9000).save(&path).unwrap();
     let other = get_with(address, "/files/scene.vxt", &["range: bytes=100-199", &format!("if-range: {tag}")]);

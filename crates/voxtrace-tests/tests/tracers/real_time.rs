@@ -393,6 +393,55 @@ fn pictures_of_real_time_light_are_those_of_the_processor_where_instances_go_and
     assert_valid(&device);
 }
 
+/// A tracer of pictures of real-time light of any size, in waves or not, without the light cache: that knows places whatever the size of pictures.
+struct AnySize {
+    device: Arc<Device>,
+    gpu: VulkanTracer,
+}
+
+impl AnySize {
+    fn new(device: &Arc<Device>, scene: &Arc<PackedScene>, most_paths: u32) -> Self {
+        let gpu = VulkanTracer::new(Arc::clone(device), Settings::default()).unwrap();
+        let mut gpu = gpu.with_most_paths(most_paths);
+        gpu.set_real_time(Parts { cache: false, ..Parts::ALL }, true);
+        gpu.set_scene(scene).unwrap();
+        Self { device: Arc::clone(device), gpu }
+    }
+
+    /// The next two pictures, and how many frames are in the first one.
+    fn pictures(&mut self, size: UVec2, seed: u32) -> (u32, [Vec<[f32; 3]>; 2]) {
+        let frame = view().size(size.x, size.y).seed(seed);
+        let mut frames = Vec::new();
+        let pictures = [0, 1].map(|_| {
+            let picture = Picture::new(&self.device, size.x, size.y, true).unwrap();
+            frames.push(self.gpu.show_real_time(&frame, Rate::Full, &picture).unwrap().unwrap().frames);
+            picture.radiance()
+        });
+        (frames[0], pictures)
+    }
+}
+
+#[test]
+fn pictures_of_another_size_are_those_of_a_tracer_that_began_with_it() {
+    let Some(device) = device() else { return };
+    let scene = packed(true, true);
+    let sizes = [SIZE, UVec2::new(40, 56), UVec2::new(80, 60), SIZE];
+    for most_paths in [0, 200] {
+        let mut resized = AnySize::new(&device, &scene, most_paths);
+        for (number, size) in sizes.into_iter().enumerate() {
+            let ours = resized.pictures(size, 7);
+            assert!(ours.0 > 1, "{size}: nothing is known of its pixels");
+            // As many frames before, of other seeds: of these nothing is known either.
+            let mut other = AnySize::new(&device, &scene, most_paths);
+            let seeds = (0..number as u32).map(|before| 20 + before);
+            seeds.for_each(|seed| _ = other.pictures(size, seed));
+            assert!(ours == other.pictures(size, 7), "{most_paths} paths in waves, picture {number}, {size}");
+            assert!(ours.1 != other.pictures(size, 7).1, "the comparison sees what is known of pixels");
+        }
+    }
+    assert_valid(&device);
+}
+
 #[test]
 fn lines_on_instances_that_were_merged_are_refused_as_by_films() {
     let Some(device) = device() else { return };

@@ -209,6 +209,9 @@ fn a_film_that_the_cpu_did_not_end_says_how_many_samples_it_has() {
     assert_eq!(tracer.samples(), FRAMES);
 }
 
+/// Calls that wait however long it takes.
+const WITHOUT_LIMIT: [&str; 2] = ["vkDeviceWaitIdle", "vkQueueWaitIdle"];
+
 #[test]
 fn work_that_does_not_end_is_given_up_and_nobody_waits_for_it() {
     let Some(run) = Run::new(Settings::default()) else { return };
@@ -230,13 +233,85 @@ fn work_that_does_not_end_is_given_up_and_nobody_waits_for_it() {
     assert!(!tracer.is_on_cpu(), "the first time it is opened anew");
     let calls = &faults.calls()[before..];
     let opened = calls.iter().position(|call| *call == "vkCreateDevice").unwrap();
-    assert!(!calls[..opened].contains(&"vkDeviceWaitIdle"), "that would wait for ever");
+    assert!(!calls[..opened].iter().any(|call| WITHOUT_LIMIT.contains(call)), "that would wait for ever");
     let notes = tracer.take_notes();
     assert!(notes.iter().any(|note| note.contains(&name) && note.contains("did not end within")), "{notes:?}");
     // Again, soon after that.
     faults.plant("vkWaitSemaphores", Fault::Hang);
     tracer.render(&run.frame.clone().seed(5), &Progress::default()).unwrap();
     assert!(tracer.is_on_cpu());
+}
+
+#[test]
+fn another_tracer_of_a_device_that_hangs_is_told_at_once() {
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let faults = Faults::none();
+    let options = Options { faults: Some(Arc::clone(&faults)), ..Options::default() };
+    let device = Device::open(options, Some(&run.wanted), None).unwrap();
+    let mut tracers = [0, 1].map(|_| VulkanTracer::new(Arc::clone(&device), run.settings).unwrap());
+    for tracer in &mut tracers {
+        tracer.set_scene(&run.scene).unwrap();
+        tracer.render(&run.frame.clone().samples(2), &Progress::default()).unwrap();
+    }
+    faults.plant("vkWaitSemaphores", Fault::Hang);
+    let [first, second] = &mut tracers;
+    first.render(&run.frame, &Progress::default()).unwrap();
+    assert!(device.is_given_up());
+    let before = faults.calls().len();
+    second.render(&run.frame, &Progress::default()).unwrap();
+    let calls = &faults.calls()[before..];
+    let opened = calls.iter().position(|call| *call == "vkCreateDevice").unwrap();
+    let used = |call: &&&str| call.starts_with("vkWait") || **call == "vkQueueSubmit" || WITHOUT_LIMIT.contains(*call);
+    assert_eq!(calls[..opened].iter().find(used), None, "it neither asks the device for more nor waits for it");
+    let notes = second.take_notes();
+    assert!(notes.iter().any(|note| note.contains("as other work did not end within")), "{notes:?}");
+    let mut film = Film::new(1, 1, Region::full(1, 1), 0);
+    second.read(&mut film).unwrap();
+    assert!(film == run.expected && !second.is_on_cpu());
+}
+
+#[test]
+fn who_lets_go_of_a_device_that_hangs_does_not_wait_for_ever() {
+    let Some(run) = Run::new(Settings::default()) else { return };
+    let opened = |faults: &Arc<Faults>| {
+        let options = Options { faults: Some(Arc::clone(faults)), ..Options::default() };
+        Device::open(options, Some(&run.wanted), None).unwrap()
+    };
+    let never = |faults: &Arc<Faults>| !faults.calls().iter().any(|call| WITHOUT_LIMIT.contains(call));
+    // After an error that is no loss, with work under way.
+    let faults = Faults::none();
+    let device = opened(&faults);
+    let mut tracer = VulkanTracer::new(Arc::clone(&device), run.settings).unwrap();
+    tracer.set_scene(&run.scene).unwrap();
+    tracer.render(&run.frame.clone().samples(2), &Progress::default()).unwrap();
+    faults.plant("vkQueueSubmit", Fault::OutOfDeviceMemory);
+    faults.plant("vkWaitSemaphores", Fault::Hang);
+    assert!(matches!(tracer.render(&run.frame, &Progress::default()), Err(TraceError::Device { .. })));
+    assert!(device.is_given_up());
+    drop((tracer, device));
+    assert!(never(&faults), "{:?}", faults.calls());
+    // A tracer that goes while its device hangs.
+    let faults = Faults::none();
+    let device = opened(&faults);
+    let mut tracer = VulkanTracer::new(Arc::clone(&device), run.settings).unwrap();
+    tracer.set_scene(&run.scene).unwrap();
+    tracer.render(&run.frame.clone().samples(2), &Progress::default()).unwrap();
+    faults.plant("vkWaitSemaphores", Fault::Hang);
+    drop(tracer);
+    assert!(device.is_given_up() && never(&faults), "{:?}", faults.calls());
+    // Whoever waits for all of the device, or for what it shows.
+    for wait in [|device: &Device| device.wait_idle(), |device: &Device| _ = device.wait_presented()] {
+        let faults = Faults::none();
+        let device = opened(&faults);
+        faults.plant("vkWaitForFences", Fault::Hang);
+        wait(&device);
+        assert!(device.is_given_up() && never(&faults), "{:?}", faults.calls());
+        assert!(!device.wait_presented(), "it may still use what is shown");
+    }
+    // A device that works is not given up.
+    let device = opened(&Faults::none());
+    device.wait_idle();
+    assert!(device.wait_presented() && !device.is_given_up());
 }
 
 #[test]

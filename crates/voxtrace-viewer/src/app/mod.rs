@@ -79,7 +79,7 @@ pub enum ViewerError {
 /// # Errors
 /// [`ViewerError`] where there is no screen or no device that shows pictures on it.
 pub fn open_window(options: WindowOptions, loader: Arc<dyn Loader>) -> Result<(), ViewerError> {
-    let refused = |error: winit::error::EventLoopError| ViewerError::Window(error.to_string());
+    let refused = |error: winit::error::EventLoopError| ViewerError::Window(without_place(error.to_string()));
     let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(refused)?;
     threads::let_workers_yield();
     let (settings, warning) = SettingsFile::open(SettingsFile::usual_path());
@@ -95,6 +95,18 @@ pub fn open_window(options: WindowOptions, loader: Arc<dyn Loader>) -> Result<()
         vulkan.messages().first().iter().for_each(|message| eprintln!("validation: {message}"));
     }
     failure.map_or(Ok(()), Err)
+}
+
+/// What winit's errors begin with, before the place.
+const BEFORE_PLACE: &str = "os error at ";
+
+/// What winit says of the window system, without the place in winit's own source that it begins with.
+fn without_place(said: String) -> String {
+    let what = said
+        .strip_prefix(BEFORE_PLACE)
+        .and_then(|rest| rest.split_once(".rs:"))
+        .and_then(|(_, rest)| rest.split_once(": "));
+    what.map_or_else(|| said.clone(), |(_, what)| what.trim_end_matches('.').to_owned())
 }
 
 /// Everything of an open window.
@@ -195,7 +207,8 @@ impl App {
             .with_min_inner_size(LogicalSize::new(320, 240))
             // Screen readers have to know it from the beginning.
             .with_visible(false);
-        let window = event_loop.create_window(attributes).map_err(|error| ViewerError::Window(error.to_string()))?;
+        let refused = |error: winit::error::OsError| ViewerError::Window(without_place(error.to_string()));
+        let window = event_loop.create_window(attributes).map_err(refused)?;
         let wanted = (self.options.device.as_deref(), self.settings.settings.device.as_deref());
         let proxy = self.proxy.clone();
         let (mut graphics, refused) =
@@ -227,5 +240,18 @@ impl App {
     fn fail(&mut self, event_loop: &ActiveEventLoop, failure: ViewerError) {
         self.failure = Some(failure);
         event_loop.exit();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_of_the_window_system_names_no_place_in_a_source() {
+        let said = "os error at /home/a/.cargo/winit-0.30.13/src/platform_impl/linux/mod.rs:765: neither DISPLAY nor WAYLAND_DISPLAY is set.";
+        assert_eq!(without_place(said.into()), "neither DISPLAY nor WAYLAND_DISPLAY is set");
+        assert_eq!(without_place("os error at C:\\a\\mod.rs:7: refused: no".into()), "refused: no");
+        assert_eq!(without_place("Exit Failure: 1".into()), "Exit Failure: 1");
     }
 }

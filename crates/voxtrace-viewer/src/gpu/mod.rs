@@ -4,6 +4,7 @@ mod copy;
 mod layer;
 mod painter;
 mod panel_memory;
+mod panel_waits;
 mod pass;
 mod pipeline;
 mod presenter;

@@ -3,15 +3,16 @@
 use super::copy::{self, SURROUND};
 use super::layer::{Layer, Panels, Target};
 use super::panel_memory::PanelMemory;
+use super::panel_waits;
 use super::pass::{barrier, render_pass};
 use super::pipeline::PresentPipeline;
 use super::timestamps::Timestamps;
 use super::{DrawError, Step};
 use ash::vk;
 use egui_ash_renderer::{Options, RenderMode, Renderer};
+use std::ops::Range;
 use std::sync::Arc;
-use std::time::Duration;
-use voxtrace_vulkan::{Device, DeviceKind, Picture};
+use voxtrace_vulkan::{Device, Picture};
 
 /// Frames in flight.
 pub const FRAMES: usize = 2;
@@ -21,6 +22,8 @@ pub const FRAMES: usize = 2;
 struct Frame {
     commands: vk::CommandBuffer,
     fence: vk::Fence,
+    /// Whether it was submitted with the fence, which is signaled some time then.
+    is_submitted: bool,
     pictures: Vec<Arc<Picture>>,
     /// Textures that go when the frame is over.
     freed: Vec<egui::TextureId>,
@@ -77,17 +80,16 @@ impl Painter {
             vk::CommandBufferAllocateInfo::default().command_pool(painter.pool).command_buffer_count(FRAMES as u32);
         // SAFETY: as above.
         let commands = unsafe { raw.allocate_command_buffers(&info) }.step(step)?;
-        let signaled = vk::FenceCreateInfo::default().flags(vk::FenceCreateFlags::SIGNALED);
         for (frame, commands) in painter.frames.iter_mut().zip(commands) {
             frame.commands = commands;
             // SAFETY: as above.
-            frame.fence = unsafe { raw.create_fence(&signaled, None) }.step(step)?;
+            frame.fence = unsafe { raw.create_fence(&vk::FenceCreateInfo::default(), None) }.step(step)?;
         }
         painter.present = Some(PresentPipeline::new(device, painter.pass, format, 2 * FRAMES)?);
         let options = Options { in_flight_frames: FRAMES, ..Options::default() };
         painter.panels = Some(Renderer::with_allocator(
             PanelMemory::new(device),
-            raw.clone(),
+            panel_waits::functions(device),
             RenderMode::RenderPass(painter.pass),
             options,
         )?);
@@ -112,11 +114,11 @@ impl Painter {
 
     /// Waits until the oldest frame in flight is over. The next [`Self::draw`] takes its place.
     pub fn wait(&mut self) -> Result<(), DrawError> {
-        let fence = self.frames[self.next].fence;
-        self.wait_for(&[fence])?;
+        self.wait_for(self.next..self.next + 1)?;
         let frame = &mut self.frames[self.next];
         frame.pictures.clear();
-        if let Some(timestamps) = &mut self.timestamps {
+        // Of a frame that could not be submitted they never come.
+        if let Some(timestamps) = self.timestamps.as_mut().filter(|_| frame.is_submitted) {
             self.frame_ms = timestamps.take(self.next)?;
         }
         if let Some(panels) = &mut self.panels {
@@ -127,19 +129,19 @@ impl Painter {
         Ok(())
     }
 
-    /// Waits for frames; a device that hangs counts as lost.
-    fn wait_for(&self, fences: &[vk::Fence]) -> Result<(), DrawError> {
-        let limit = match self.device.info().kind {
-            // Software compiles shaders on first use, on cores that may be busy.
-            DeviceKind::Cpu => Duration::from_secs(300),
-            _ => Duration::from_secs(20),
-        };
+    /// Waits for frames; a device that hangs is given up, and counts as lost.
+    fn wait_for(&self, frames: Range<usize>) -> Result<(), DrawError> {
         let step = "waiting for a frame";
-        // SAFETY: the fences are alive; that of a frame that was never submitted is signaled.
-        match unsafe { self.device.raw().wait_for_fences(fences, true, limit.as_nanos() as u64) } {
-            Err(vk::Result::TIMEOUT) => Err(vk::Result::ERROR_DEVICE_LOST).step(step),
-            result => result.step(step),
+        if self.device.is_given_up() {
+            return Err(vk::Result::ERROR_DEVICE_LOST).step(step);
         }
+        let submitted = self.frames[frames].iter().filter(|frame| frame.is_submitted);
+        let fences: Vec<vk::Fence> = submitted.map(|frame| frame.fence).collect();
+        if fences.is_empty() {
+            return Ok(());
+        }
+        // SAFETY: the fences are alive, and those of frames that were submitted.
+        unsafe { self.device.wait_for_fences(&fences) }.step(step)
     }
 
     /// Writes the textures that changed. Those that are gone stay until the next frame is over.
@@ -162,7 +164,6 @@ impl Painter {
         self.record(commands, target, layer, panels)?;
         let frame = &mut self.frames[index];
         frame.pictures = layer.into_iter().flat_map(Layer::placed).map(|(picture, _)| Arc::clone(picture)).collect();
-        frame.freed.append(&mut self.freed);
         let raw = self.device.raw();
         let list = |semaphore: vk::Semaphore| if semaphore == vk::Semaphore::null() { vec![] } else { vec![semaphore] };
         let (waits, signals, buffers) = (list(wait), list(signal), [commands]);
@@ -174,11 +175,15 @@ impl Painter {
             .wait_dst_stage_mask(&stages)
             .signal_semaphores(&signals);
         let queue = self.device.present_queue();
-        // SAFETY: the fence is signaled and nobody waits for it; the commands are recorded; the queue is locked.
+        frame.is_submitted = false;
+        // SAFETY: the fence is of a frame that is over, and nobody waits for it; the commands are recorded; the queue is locked.
         unsafe {
             raw.reset_fences(&[frame.fence]).step("drawing")?;
             raw.queue_submit(*queue, &[submit], frame.fence).step("drawing")?;
         }
+        frame.is_submitted = true;
+        // Not before: of a frame that could not be submitted nobody waits for those before it, which read them.
+        frame.freed.append(&mut self.freed);
         if let Some(present) = &self.present {
             layer.into_iter().flat_map(Layer::placed).for_each(|(picture, at)| picture.set_tone(present.tone(&at)));
         }
@@ -196,13 +201,12 @@ impl Painter {
             return Ok(());
         }
         // A texture that a frame in flight reads may be among them.
-        let fences: Vec<vk::Fence> = self.frames.iter().map(|frame| frame.fence).collect();
-        self.wait_for(&fences)?;
+        self.wait_for(0..FRAMES)?;
         let Some(renderer) = &mut self.panels else { return Ok(()) };
         let queue = self.device.present_queue();
         for (id, deltas) in changed {
             for delta in deltas {
-                renderer.set_texture(*queue, self.pool, id, &delta)?;
+                panel_waits::waiting(&self.device, || renderer.set_texture(*queue, self.pool, id, &delta))?;
             }
         }
         Ok(())
@@ -328,14 +332,14 @@ impl Painter {
 
 impl Drop for Painter {
     fn drop(&mut self) {
-        self.device.wait_idle();
+        let is_idle = self.device.wait_presented();
         let parts = (self.present.take(), self.panels.take(), self.timestamps.take());
-        if self.device.is_given_up() {
+        if !is_idle {
             return std::mem::forget(parts);
         }
         drop(parts);
         let raw = self.device.raw();
-        // SAFETY: the device is idle; null handles are allowed.
+        // SAFETY: the queue that draws is idle; null handles are allowed.
         unsafe {
             for frame in &self.frames {
                 raw.destroy_fence(frame.fence, None);

@@ -114,7 +114,7 @@ impl Allocator for PanelMemory {
 impl Drop for PanelMemory {
     fn drop(&mut self) {
         let raw = self.device.raw();
-        // SAFETY: the renderer has destroyed what it knew of, on an idle device; null handles are allowed.
+        // SAFETY: the renderer has destroyed what it knew of, and the queue that draws is idle; null handles are allowed.
         unsafe {
             for (&buffer, &memory) in &self.buffers {
                 raw.destroy_buffer(buffer, None);

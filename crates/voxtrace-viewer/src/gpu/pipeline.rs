@@ -210,7 +210,7 @@ impl PresentPipeline {
 impl Drop for PresentPipeline {
     fn drop(&mut self) {
         let raw = self.device.raw();
-        // SAFETY: the painter waited until the device was idle; null handles are allowed.
+        // SAFETY: the painter waited until the queue that draws was idle; null handles are allowed.
         unsafe {
             raw.destroy_pipeline(self.curve, None);
             raw.destroy_pipeline(self.pipeline, None);

@@ -319,14 +319,14 @@ impl Window {
     }
 
     fn destroy(&self, chain: Swapchain) {
-        // What is being shown waits for semaphores of the chain.
-        self.device.wait_presented();
-        if self.device.is_given_up() {
-            // So does the surface, which outlives its swapchains.
+        // What is being shown waits for semaphores of the chain. Where only what traces hangs, the chain goes all the same: window systems may give a window no
+        // other one before, of whatever device.
+        if !self.device.wait_presented() {
+            // It stays, and so does the surface, which outlives its swapchains.
             return std::mem::forget(Arc::clone(&self.surface));
         }
         let raw = self.device.raw();
-        // SAFETY: the device is idle.
+        // SAFETY: the queue that draws and shows is idle.
         unsafe {
             chain.framebuffers.iter().for_each(|&framebuffer| raw.destroy_framebuffer(framebuffer, None));
             chain.views.iter().for_each(|&view| raw.destroy_image_view(view, None));
@@ -339,12 +339,11 @@ impl Window {
 impl Drop for Window {
     fn drop(&mut self) {
         self.drop_chain();
-        self.device.wait_presented();
-        if self.device.is_given_up() {
+        if !self.device.wait_presented() {
             return;
         }
         for &semaphore in &self.acquired {
-            // SAFETY: the device is idle.
+            // SAFETY: the queue that draws and shows is idle.
             unsafe { self.device.raw().destroy_semaphore(semaphore, None) };
         }
     }

@@ -140,7 +140,7 @@ impl Offscreen {
             raw.end_command_buffer(commands[0])?;
             let queue = self.device.present_queue();
             raw.queue_submit(*queue, &[vk::SubmitInfo::default().command_buffers(&commands)], vk::Fence::null())?;
-            raw.queue_wait_idle(*queue)?;
+            self.device.wait_for_queue(*queue)?;
             drop(queue);
             raw.free_command_buffers(self.pool, &commands);
             let size = width as usize * height as usize * 4;
@@ -154,12 +154,11 @@ impl Offscreen {
 
 impl Drop for Offscreen {
     fn drop(&mut self) {
-        self.device.wait_idle();
-        if self.device.is_given_up() {
+        if !self.device.wait_presented() {
             return;
         }
         let raw = self.device.raw();
-        // SAFETY: the device is idle; null handles are allowed.
+        // SAFETY: the queue that draws is idle; null handles are allowed.
         unsafe {
             raw.destroy_command_pool(self.pool, None);
             raw.destroy_framebuffer(self.framebuffer, None);

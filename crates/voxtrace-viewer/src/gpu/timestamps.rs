@@ -70,7 +70,7 @@ impl Timestamps {
 
 impl Drop for Timestamps {
     fn drop(&mut self) {
-        // SAFETY: whoever draws waited until the device was idle.
+        // SAFETY: whoever draws waited until the queue that draws was idle.
         unsafe { self.device.raw().destroy_query_pool(self.pool, None) };
     }
 }

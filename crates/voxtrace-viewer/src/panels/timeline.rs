@@ -5,7 +5,9 @@ use crate::keys::{Action, key_of};
 use crate::session::Session;
 use crate::timeline::{Course, MOST_FRAMES, Timeline};
 use crate::tr;
-use egui::{Align2, Button, Color32, ComboBox, DragValue, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2};
+use egui::{
+    Align2, Button, Color32, ComboBox, DragValue, FontId, Id, Pos2, Rect, ScrollArea, Sense, Shape, Stroke, Ui, Vec2,
+};
 use voxtrace::animation::Ease;
 
 /// Points of the axis, and between it and the panel's sides.
@@ -20,18 +22,26 @@ const TIP: f32 = 7.0;
 const KEY: f32 = 7.0;
 /// Least points between two numbers on the axis.
 const BETWEEN: f32 = 64.0;
+/// Points of the window's height that the picture keeps at least.
+const ABOVE: f32 = 110.0;
 const SELECTED: Color32 = Color32::from_rgb(255, 196, 84);
 const PLAYHEAD: Color32 = Color32::from_rgb(255, 110, 96);
 
 /// Shows it below the picture. Returns how high it is, points.
 pub fn timeline(ui: &mut Ui, session: &mut Session) -> f32 {
     if !session.timeline.is_shown || session.open.is_none() {
+        end_drag(ui, session);
         return 0.0;
     }
+    // Where its rows are too many for a small window they are scrolled.
+    let most = (ui.ctx().content_rect().height() - ABOVE).max(AXIS);
     let panel = egui::Panel::bottom("timeline").resizable(false).show(ui, |ui| {
-        ui.horizontal_wrapped(|ui| buttons(ui, session));
-        axis(ui, session);
-        ui.horizontal_wrapped(|ui| settings(ui, session));
+        let scrolled = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink([false, true]);
+        scrolled.show(ui, |ui| {
+            ui.horizontal_wrapped(|ui| buttons(ui, session));
+            axis(ui, session);
+            ui.horizontal_wrapped(|ui| settings(ui, session));
+        });
     });
     panel.response.rect.height()
 }
@@ -200,15 +210,14 @@ fn paint(ui: &Ui, rect: Rect, scale: Scale, course: &Course) {
     painter.rect_filled(clip, 0.0, visuals.faint_bg_color);
     let step = step_of(scale.seconds * f64::from(BETWEEN / scale.width));
     let weak = visuals.weak_text_color();
-    let mut tick = 0;
-    while f64::from(tick) * step <= scale.seconds * 1.0001 {
-        let time = f64::from(tick) * step;
+    // A file may name times beyond which there are no numbers.
+    let times = (0..).map(|tick: u32| f64::from(tick) * step).take_while(|time| 0.9999 * time <= scale.seconds);
+    for time in times {
         let x = scale.x(time);
         let (from, to) = (rect.top() + NUMBERS, rect.bottom());
         painter.line_segment([Pos2::new(x, from), Pos2::new(x, to)], Stroke::new(0.5, weak));
         let text = format!("{} s", (time * 1000.0).round() / 1000.0);
         painter.text(Pos2::new(x, rect.top() + 6.0), Align2::CENTER_CENTER, text, FontId::proportional(10.0), weak);
-        tick += 1;
     }
 }
 
@@ -222,7 +231,6 @@ fn step_of(least: f64) -> f64 {
 fn keys(ui: &mut Ui, session: &mut Session, rect: Rect, scale: Scale) {
     let y = rect.top() + 16.0 + (rect.height() - 16.0) / 2.0;
     let times: Vec<f64> = session.timeline.course.keys.iter().map(|key| key.at).collect();
-    let id = ui.id().with("moved key");
     for (index, &at) in times.iter().enumerate() {
         let middle = Pos2::new(scale.x(at), y);
         let place = Rect::from_center_size(middle, Vec2::splat(2.0 * KEY));
@@ -242,26 +250,53 @@ fn keys(ui: &mut Ui, session: &mut Session, rect: Rect, scale: Scale) {
             session.go_to_time_key(index);
         }
         if response.drag_started() {
-            let course = session.timeline.course.clone();
-            ui.data_mut(|data| data.insert_temp(id, (index, course)));
+            let before = session.timeline.course.clone();
+            let drag = Drag { index, shown: before.clone(), before };
+            ui.data_mut(|data| data.insert_temp(drag_id(), drag));
             session.timeline.selected = Some(index);
         }
     }
-    drag(ui, session, scale, id);
+    drag(ui, session, scale);
+}
+
+/// A key that is dragged.
+#[derive(Clone, Default)]
+struct Drag {
+    index: usize,
+    before: Course,
+    /// What the last frame made of it.
+    shown: Course,
+}
+
+fn drag_id() -> Id {
+    Id::new("moved key of the timeline")
 }
 
 /// The key that is dragged goes with the cursor, past others too; where it is let go, that is one change.
-fn drag(ui: &mut Ui, session: &mut Session, scale: Scale, id: egui::Id) {
-    let Some((index, before)) = ui.data(|data| data.get_temp::<(usize, Course)>(id)) else { return };
+fn drag(ui: &Ui, session: &mut Session, scale: Scale) {
+    let Some(mut drag) = ui.data(|data| data.get_temp::<Drag>(drag_id())) else { return };
+    if drag.shown != session.timeline.course {
+        // Another scene has come with its own timeline, or a key took back what was done.
+        return ui.data_mut(|data| data.remove::<Drag>(drag_id()));
+    }
     let (place, is_down) = ui.input(|input| (input.pointer.interact_pos(), input.pointer.any_down()));
     if let Some(place) = place {
-        let mut course = before.clone();
+        let mut course = drag.before.clone();
         let frame = course.frame_at(scale.seconds(place.x).max(0.0));
-        session.timeline.selected = Some(course.shift(index, frame));
+        session.timeline.selected = Some(course.shift(drag.index, frame));
+        drag.shown.clone_from(&course);
         session.timeline.course = course;
+        ui.data_mut(|data| data.insert_temp(drag_id(), drag));
     }
     if !is_down {
-        ui.data_mut(|data| data.remove::<(usize, Course)>(id));
+        end_drag(ui, session);
+    }
+}
+
+/// Ends the drag of a key, where there is one: also where the timeline is hidden meanwhile.
+fn end_drag(ui: &Ui, session: &mut Session) {
+    let Some(Drag { before, shown, .. }) = ui.data_mut(|data| data.remove_temp::<Drag>(drag_id())) else { return };
+    if shown == session.timeline.course {
         session.timeline.note(before);
         session.edit_time(|_| ());
     }

@@ -10,11 +10,12 @@ use crate::panels::Status;
 use crate::running::{RunRequest, Running};
 use crate::threads;
 use crate::tr;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::thread::JoinHandle;
-use voxtrace::scenes;
+use voxtrace::{PackedScene, scenes};
 use voxtrace_vulkan::Device;
 
 /// Calls whoever waits for the state.
@@ -57,6 +58,23 @@ pub(crate) struct Writing {
     path: PathBuf,
     thread: JoinHandle<()>,
     written: Receiver<Result<Vec<String>, String>>,
+}
+
+impl Writing {
+    /// Begins to write a scene. `wake` is called when it is over.
+    fn start(loader: &Arc<dyn Loader>, scene: Arc<PackedScene>, path: PathBuf, wake: Waker) -> Self {
+        let (sender, written) = channel();
+        let (loader, of_thread) = (Arc::clone(loader), path.clone());
+        let thread = std::thread::spawn(move || {
+            threads::yield_to_window();
+            // Without an answer the window would wait for it, and not be closed.
+            let saved = catch_unwind(AssertUnwindSafe(|| loader.save(&scene, &of_thread)));
+            // The window may be closed.
+            let _ = sender.send(saved.unwrap_or_else(|_| Err(tr!("said.writing_failed").into())));
+            wake();
+        });
+        Self { path, thread, written }
+    }
 }
 
 impl Session {
@@ -200,20 +218,12 @@ impl Session {
         }
         self.begin_saving(&path);
         let Some(open) = &self.open else { return };
-        let (scene, loader, wake) = (Arc::clone(&open.pickable), Arc::clone(means.loader), (means.wake)(News::Written));
+        let scene = Arc::clone(&open.pickable);
         let settings = &self.render_settings;
         if settings.cutting.is_cut() || !settings.surroundings.is_none() {
             self.say(tr!("said.the_file_holds_the_whole_scene"), false);
         }
-        let (sender, written) = channel();
-        let of_thread = path.clone();
-        let thread = std::thread::spawn(move || {
-            threads::yield_to_window();
-            // The window may be closed.
-            let _ = sender.send(loader.save(&scene, &of_thread));
-            wake();
-        });
-        self.writing = Some(Writing { path, thread, written });
+        self.writing = Some(Writing::start(means.loader, scene, path, (means.wake)(News::Written)));
     }
 
     /// The file that the scene is being written to.
@@ -246,5 +256,54 @@ impl Session {
             // A panic was printed when it happened.
             let _ = writing.thread.join();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load::{Told, Wanted};
+    use voxtrace::glam::IVec3;
+    use voxtrace::{Material, Scene, VoxelGrid};
+    use voxtrace_vulkan::Traversal;
+
+    /// Has a fault.
+    struct Faulty;
+
+    impl Loader for Faulty {
+        fn load(
+            &self,
+            source: &str,
+            _: &Reading,
+            _: Box<dyn Fn(Told) + Send>,
+            _: &Wanted,
+        ) -> Result<PackedScene, String> {
+            Err(source.to_owned())
+        }
+
+        fn save(&self, _: &PackedScene, _: &Path) -> Result<Vec<String>, String> {
+            panic!("the writer has a fault")
+        }
+
+        fn built_in(&self) -> Vec<(String, String)> {
+            Vec::new()
+        }
+    }
+
+    #[test]
+    fn a_writer_with_a_fault_is_no_writing_without_an_end() {
+        let mut grid = VoxelGrid::new();
+        grid.set(IVec3::ZERO, 0);
+        let scene = Scene::from_grid("voxel", grid, vec![Material::default()]);
+        let scene = Arc::new(PackedScene::pack(&scene).unwrap());
+        let mut session = Session::new(Traversal::Cpu);
+        let loader: Arc<dyn Loader> = Arc::new(Faulty);
+        let (sender, woken) = channel();
+        let wake = Arc::new(move || sender.send(()).unwrap_or_default());
+        session.writing = Some(Writing::start(&loader, scene, "a.vxt".into(), wake));
+        woken.recv().expect("the writer ended without an answer");
+        session.take_written();
+        let said: Vec<String> = session.messages().map(|message| message.text.clone()).collect();
+        assert!(session.written_file().is_none() && said[0].contains("could not be written"), "{said:?}");
     }
 }

@@ -54,6 +54,7 @@ const BEFORE: &[&str] = &[
     "Grid::new((",
     "Panel::right(",
     "Panel::bottom(",
+    "Id::new(",
     "Order::Background,",
     "Area::new(",
     ".with(",

@@ -2,6 +2,7 @@
 
 use crate::common::{SIZE, in_room, said};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, mpsc};
 use voxtrace::PackedScene;
 use voxtrace::glam::Vec2;
@@ -208,6 +209,25 @@ fn nothing_is_measured_while_something_is_made_nor_made_while_something_is_measu
     session.running = None;
     session.act(Action::Benchmark, None);
     assert_eq!(session.take_commands(), [Command::Pause(Pause::Everything), Command::Benchmark]);
+}
+
+#[test]
+fn a_benchmark_with_a_fault_ends_and_tracing_goes_on() {
+    let mut session = in_room("room.vxt");
+    let subject = session.bench_subject(None).unwrap();
+    let (sender, receiver) = mpsc::channel();
+    let is_well = AtomicBool::new(false);
+    let wake = move || {
+        assert!(is_well.swap(true, Ordering::Relaxed), "the benchmark has a fault");
+        sender.send(()).unwrap_or_default();
+    };
+    session.benchmark = Some(Benchmark::start(subject, Arc::new(wake)));
+    while session.benchmark.is_some() {
+        receiver.recv().expect("the benchmark ended without an answer");
+        session.take_measured();
+    }
+    assert_eq!(session.take_commands(), [Command::Pause(Pause::Nothing)]);
+    assert!(said(&mut session)[0].contains("measuring failed"));
 }
 
 #[test]

@@ -184,6 +184,39 @@ fn the_film_stays_that_of_a_render_when_the_device_or_the_surface_is_lost() {
 }
 
 #[test]
+fn a_device_that_hangs_is_left_and_the_film_stays_that_of_a_render() {
+    let expected = rendered(&packed(), &view(96, 64).frame());
+    for backend in backends() {
+        for function in ["vkWaitForFences", "vkWaitSemaphores"] {
+            // Films of the processor wait for no semaphore.
+            if function == "vkWaitSemaphores" && backend == Backend::Cpu {
+                continue;
+            }
+            let at = format!("{backend:?}, {function}");
+            let Some(mut shop) = Shop::open(backend) else { return };
+            shop.show(1);
+            let hung = Arc::clone(shop.window.screen.device());
+            shop.window.faults.plant(function, Fault::Hang);
+            until("another device", || {
+                shop.window.is_due = true;
+                shop.turn();
+                // A film that is done submits nothing: begin another.
+                shop.view.seed ^= 1;
+                shop.window.engine.set_view(shop.view.clone(), false);
+                shop.window.moves > 0
+            });
+            assert!(hung.is_given_up(), "{at}");
+            shop.view.seed = 5;
+            shop.window.engine.set_view(shop.view.clone(), false);
+            shop.show(2);
+            assert_eq!(shop.film(), expected, "{at}");
+            assert!(!shop.window.screen.device().is_given_up(), "{at}");
+            assert_eq!(shop.window.messages(), Vec::<String>::new(), "{at}");
+        }
+    }
+}
+
+#[test]
 fn a_surface_that_cannot_be_made_again_is_tried_until_it_can() {
     let Some(mut shop) = Shop::open(Backend::Cpu) else { return };
     let expected = shop.film();

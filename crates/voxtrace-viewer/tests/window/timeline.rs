@@ -1,6 +1,6 @@
 //! The timeline: keys are set and moved by hand, the playhead moves the view, and what is recorded is asked for.
 
-use crate::common::panel::{click, panels, small_panels};
+use crate::common::panel::{click, panels, sized_panels, small_panels};
 use crate::common::{in_room, said};
 use egui::accesskit::Role;
 use egui::{Event, Modifiers as Held, PointerButton, Pos2};
@@ -277,6 +277,66 @@ fn all_of_the_timeline_is_there_in_a_small_window() {
         let rect = harness.get_by_role_and_label(role, name).rect();
         assert!(rect.right() < side && rect.bottom() < 400.0, "{name}: {rect}");
     }
+}
+
+#[test]
+fn the_picture_stays_in_sight_above_the_timeline_of_a_window_that_is_as_small_as_can_be() {
+    for size in [[400.0, 300.0], [480.0, 240.0]] {
+        let harness = sized_panels(with_two_keys("room.vxt"), size);
+        let below = harness.state().below;
+        assert!(below > 60.0 && size[1] - below >= 100.0, "{size:?}: {below}");
+        let play = harness.get_by_role_and_label(Role::Button, "Play").rect();
+        assert!(play.top() >= size[1] - below && play.bottom() < size[1], "{size:?}: {play}");
+    }
+}
+
+#[test]
+fn a_key_that_is_dragged_while_the_timeline_goes_stays_where_it_is_and_is_one_change() {
+    let pressed =
+        |pos| Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, modifiers: Held::NONE };
+    let begin = || {
+        let mut harness = panels(with_two_keys("room.vxt"), Status::default());
+        let axis = harness.get_by_label("time").rect();
+        let at =
+            |seconds: f32| Pos2::new(axis.left() + 12.0 + seconds / 5.0 * (axis.width() - 24.0), axis.center().y + 8.0);
+        for event in
+            [Event::PointerMoved(at(2.0)), pressed(at(2.0)), Event::PointerMoved(at(2.5)), Event::PointerMoved(at(3.5))]
+        {
+            harness.event(event);
+            harness.run_steps(2);
+        }
+        let released = Event::PointerButton {
+            pos: at(1.0),
+            button: PointerButton::Primary,
+            pressed: false,
+            modifiers: Held::NONE,
+        };
+        (harness, [Event::PointerMoved(at(1.0)), released])
+    };
+    let times = |harness: &Harness<Session>| -> Vec<f64> {
+        harness.state().timeline.course.keys.iter().map(|key| key.at).collect()
+    };
+    // A key hides it.
+    let (mut harness, let_go) = begin();
+    assert_eq!(times(&harness), [0.0, 3.5]);
+    harness.state_mut().timeline.is_changed = false;
+    harness.state_mut().act(Action::Timeline, None);
+    harness.run_steps(2);
+    assert!(harness.state().timeline.is_changed);
+    let_go.into_iter().for_each(|event| harness.event(event));
+    harness.run_steps(2);
+    harness.state_mut().act(Action::Timeline, None);
+    harness.run_steps(3);
+    assert_eq!(times(&harness), [0.0, 3.5], "it does not go on where the cursor is by now");
+    harness.state_mut().undo_time();
+    assert_eq!(times(&harness), [0.0, 2.0]);
+    // Another scene has come, with a timeline of its own.
+    let (mut harness, let_go) = begin();
+    harness.state_mut().timeline.course.keys.clear();
+    harness.run_steps(2);
+    let_go.into_iter().for_each(|event| harness.event(event));
+    harness.run_steps(3);
+    assert!(times(&harness).is_empty(), "{:?}", times(&harness));
 }
 
 #[test]

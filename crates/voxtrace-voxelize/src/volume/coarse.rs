@@ -30,8 +30,11 @@ pub fn voxelize_coarse(
     }
     // The nearest sample of each voxel: a mean of all would read the whole volume, and thin things would fade.
     let coarse = Placement::of(volume, Some(Scale::VoxelSize(fine.voxel_size * factor)), limits.voxels, true)?;
-    let mut scene = voxelize_placed(volume, values, options, &transfer, coarse)?;
-    let Transform { linear, translation } = fine.world_from_grid;
+    // Their corners are not the same where voxels fit no whole number of times.
+    let corner = fine.coordinates_from_grid.inverse().transform_point3(coarse.coordinates_from_grid.translation);
+    let mut scene = voxelize_placed(volume, values, options, &transfer, coarse, &|| true)?;
+    let Transform { linear, .. } = fine.world_from_grid;
+    let translation = fine.world_from_grid.point(corner.as_vec3());
     for instance in &mut scene.instances {
         instance.world_from_grid = Transform { linear: linear * factor as f32, translation };
     }
@@ -87,11 +90,23 @@ mod tests {
         assert_eq!(coarse.voxel_size, fine.voxel_size);
         let same = voxelize_coarse(&volume, &values, &options, 40, &limits).unwrap();
         assert_eq!(same.grids[0].count(), fine.grids[0].count(), "there is nothing coarser to make");
+        // Where neither voxels fit a whole number of times, a slope still lies where it is.
+        let slope = Volume::new([7, 7, 37], (0..7 * 7 * 37).map(|n| (n / 49) as f32).collect());
+        let slope = Volume { world_from_index: DAffine3::from_scale(DVec3::new(1.0, 1.0, 1.3)), ..slope };
+        let options = VolumeOptions { threshold: Some(20.5), ..options };
+        let values = slope.statistics();
+        let fine = voxelize_with_statistics(&slope, &values, &options, &limits).unwrap();
+        let coarse = voxelize_coarse(&slope, &values, &options, 11, &limits).unwrap();
+        let size = coarse.instances[0].world_from_grid.linear.x_axis.x;
+        // The value of a coarse voxel is that of its nearest sample, which is half a step away at most.
+        let apart = (bounds(&coarse).0.z - bounds(&fine).0.z).abs();
+        assert!(size > 4.0 && apart <= size * 0.5 + 1.3, "{size} {apart}");
+        let options = VolumeOptions { threshold: Some(2.0), ..options };
         let moved = Volume {
             world_from_index: DAffine3::from_translation(DVec3::X * 50.0) * volume.world_from_index,
             ..volume
         };
-        let coarse = voxelize_coarse(&moved, &values, &options, 10, &limits).unwrap();
+        let coarse = voxelize_coarse(&moved, &moved.statistics(), &options, 10, &limits).unwrap();
         assert!((bounds(&coarse).0 - a).abs().max_element() > 4.0, "the comparison sees another place");
     }
 }

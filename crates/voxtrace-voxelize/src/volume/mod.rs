@@ -159,6 +159,9 @@ pub enum VolumeError {
         /// How much is allowed.
         limit: u64,
     },
+    /// Nobody waits for it any more: see [`voxelize_while`].
+    #[error("the voxels of the volume are not wanted any more")]
+    Stopped,
 }
 
 impl VolumeError {
@@ -168,6 +171,7 @@ impl VolumeError {
             Self::TooLarge { what, needed, limit } => {
                 ImportErrorKind::Limit { what: what.into(), value: needed, limit }
             }
+            Self::Stopped => ImportErrorKind::Stopped,
             error => ImportErrorKind::Malformed(error.to_string()),
         };
         ImportError { path: path.into(), offset: None, kind }
@@ -259,13 +263,26 @@ impl Volume {
 /// # Errors
 /// If the volume is broken, nothing in it is to be seen, or there would be more voxels than the limits allow.
 pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<Scene, VolumeError> {
+    voxelize_while(volume, options, limits, &|| true)
+}
+
+/// As [`voxelize`], as long as it is `wanted`, which is asked now and then, on several threads, and which says no for good.
+///
+/// # Errors
+/// As [`voxelize`]; [`VolumeError::Stopped`] once it is not wanted any more.
+pub fn voxelize_while(
+    volume: &Volume,
+    options: &VolumeOptions,
+    limits: &Limits,
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> Result<Scene, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
-    let values = volume.statistics();
-    let scene = voxelize_with_statistics(volume, &values, options, limits);
+    let values = ValueStatistics::of_while(volume, wanted);
+    let scene = voxelize_by(volume, &values, options, limits, wanted);
     if options.transfer.is_none() && options.threshold.is_none() && matches!(scene, Err(VolumeError::Empty { .. })) {
-        let threshold = threshold_of_voxels(volume, options, limits)?;
+        let threshold = threshold_while(volume, options, limits, wanted)?;
         let options = VolumeOptions { threshold: Some(threshold), ..options.clone() };
-        return voxelize_with_statistics(volume, &values, &options, limits);
+        return voxelize_by(volume, &values, &options, limits, wanted);
     }
     scene
 }
@@ -276,11 +293,21 @@ pub fn voxelize(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Re
 /// # Errors
 /// If the volume is broken, or there is no grid for it within the limits.
 pub fn threshold_of_voxels(volume: &Volume, options: &VolumeOptions, limits: &Limits) -> Result<f32, VolumeError> {
+    threshold_while(volume, options, limits, &|| true)
+}
+
+/// As [`threshold_of_voxels`], as long as it is wanted; anything where it is not.
+fn threshold_while(
+    volume: &Volume,
+    options: &VolumeOptions,
+    limits: &Limits,
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> Result<f32, VolumeError> {
     volume.validate().map_err(VolumeError::BadVolume)?;
     let placement = Placement::of(volume, options.scale, limits.voxels, false)?;
     let size = [0, 1, 2].map(|axis| placement.axes[axis].count());
-    let values = slab::values(volume, &placement.axes);
-    Ok(Volume::new(size, values).statistics().threshold)
+    let values = slab::values(volume, &placement.axes, wanted);
+    Ok(ValueStatistics::of_while(&Volume::new(size, values), wanted).threshold)
 }
 
 /// As [`voxelize`], where the volume's [`Volume::statistics`] are known already.
@@ -293,11 +320,25 @@ pub fn voxelize_with_statistics(
     options: &VolumeOptions,
     limits: &Limits,
 ) -> Result<Scene, VolumeError> {
+    voxelize_by(volume, values, options, limits, &|| true)
+}
+
+fn voxelize_by(
+    volume: &Volume,
+    values: &ValueStatistics,
+    options: &VolumeOptions,
+    limits: &Limits,
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> Result<Scene, VolumeError> {
+    // What statistics say that were not wanted any more is no fault of the volume.
+    if !wanted() {
+        return Err(VolumeError::Stopped);
+    }
     volume.validate().map_err(VolumeError::BadVolume)?;
     let mut transfer = options.transfer.clone().unwrap_or_else(|| Transfer::automatic(values));
     transfer.resolve(values, options.threshold);
     let placement = Placement::of(volume, options.scale, limits.voxels, transfer.is_labels())?;
-    voxelize_placed(volume, values, options, &transfer, placement)
+    voxelize_placed(volume, values, options, &transfer, placement, wanted)
 }
 
 /// The scene of a volume on a grid, by a transfer function that is resolved.
@@ -307,14 +348,18 @@ fn voxelize_placed(
     options: &VolumeOptions,
     transfer: &Transfer,
     placement: Placement,
+    wanted: &(dyn Fn() -> bool + Sync),
 ) -> Result<Scene, VolumeError> {
     let lookup = transfer.lookup();
     let layers = Layers::new(volume, &placement, &lookup, &options.overlays)?;
     let shell = options.shell && layers.is_opaque();
     let found: Vec<_> = (0..placement.axes[2].count().div_ceil(8))
         .into_par_iter()
-        .map(|layer| slab::bricks(&layers, layer, shell))
+        .map(|layer| slab::bricks(&layers, layer, shell, wanted))
         .collect();
+    if !wanted() {
+        return Err(VolumeError::Stopped);
+    }
     let (bricks, materials) = layers.settled(found)?;
     let grid = VoxelGrid::from_bricks(bricks);
     let count = grid.count();
@@ -327,4 +372,37 @@ fn voxelize_placed(
     (scene.voxel_size, scene.unit) = (placement.voxel_size, volume.unit);
     scene.georeference = Some(placement.georeference);
     Ok(scene)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    #[test]
+    fn voxels_are_made_as_long_as_somebody_waits() {
+        const SIZE: usize = 40;
+        let place = |i: usize| [i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE].map(|at| at as f32 - 19.5);
+        let value = |i: usize| 20.25 - place(i).iter().map(|at| at * at).sum::<f32>().sqrt();
+        let volume = Volume::new([SIZE; 3], (0..SIZE * SIZE * SIZE).map(value).collect());
+        // By a transfer function that is chosen, and from samples that show nothing: by the values of voxels.
+        for scale in [None, Some(Scale::VoxelSize(20.0))] {
+            let options = VolumeOptions { scale, ..VolumeOptions::default() };
+            let asked = AtomicU32::new(0);
+            let made = |most: u32| {
+                asked.store(0, Ordering::Relaxed);
+                let wanted = || asked.fetch_add(1, Ordering::Relaxed) < most;
+                voxelize_while(&volume, &options, &Limits::default(), &wanted)
+            };
+            let whole = made(u32::MAX).unwrap();
+            assert!(whole == voxelize(&volume, &options, &Limits::default()).unwrap());
+            let times = asked.load(Ordering::Relaxed);
+            // For each layer of each layer of bricks.
+            assert!(scale.is_some() || times > SIZE as u32, "{times}");
+            for most in 0..times {
+                let stopped = made(most);
+                assert!(matches!(stopped, Err(VolumeError::Stopped)), "{most} of {times}: {stopped:?}");
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! How the lattice of a volume is laid onto the voxel grid.
 
-use super::resample::Axis;
+use super::resample::{Axis, Spacing};
 use super::{Volume, VolumeError};
 use crate::voxelize::Scale;
 use glam::{DAffine3, DMat3, DVec3};
@@ -12,6 +12,8 @@ use voxtrace_scene::grid::MAX_COORDINATE;
 const DEFAULT_MAX_SIZE: f64 = 2048.0;
 /// Sine of the angle up to which a lattice axis counts as parallel to a world axis.
 const MAX_TILT: f64 = 1e-3;
+/// Share of a voxel up to which the length of an axis counts as a whole number of voxels.
+const FITS: f64 = 1e-6;
 
 /// How the lattice is laid onto the voxel grid.
 pub(super) struct Placement {
@@ -40,7 +42,7 @@ impl Placement {
         let axes = volume.world_from_index.matrix3;
         let directions = [axes.x_axis / spacing.x, axes.y_axis / spacing.y, axes.z_axis / spacing.z];
         let order = nearest_axes(directions);
-        let mut counts = [0; 3];
+        let mut spacings = [Spacing::over(1, 1); 3];
         for (world, &(lattice, _)) in order.iter().enumerate() {
             let count = (lengths[lattice] / voxel_size).round().max(1.0);
             let most = f64::from(MAX_COORDINATE / 2);
@@ -51,9 +53,16 @@ impl Placement {
                     limit: most as u64,
                 });
             }
-            counts[world] = count as usize;
+            let (samples, count) = (volume.size[lattice], count as usize);
+            // Samples that are voxels stay what they are, though these be a little longer or shorter along this axis; voxels of mixed samples are cubes.
+            let fits = samples == count || (lengths[lattice] / voxel_size - count as f64).abs() < FITS;
+            spacings[world] = if fits {
+                Spacing::over(samples, count)
+            } else {
+                Spacing::within(samples, count, voxel_size / spacing[lattice])
+            };
         }
-        let needed = counts.iter().map(|&count| count as u64).fold(1, u64::saturating_mul);
+        let needed = spacings.iter().map(|spacing| spacing.count as u64).fold(1, u64::saturating_mul);
         if needed > box_limit {
             return Err(VolumeError::TooLarge { what: "voxels of the whole box", needed, limit: box_limit });
         }
@@ -63,17 +72,20 @@ impl Placement {
             if backwards { -directions[lattice] } else { directions[lattice] }
         };
         let linear = DMat3::from_cols(signed(0), signed(1), signed(2));
-        // A voxel is a little longer or shorter along an axis where its length is no multiple of the edge.
-        let edges = DVec3::from_array(std::array::from_fn(|world| lengths[order[world].0] / counts[world] as f64));
+        let edge = |world: usize| {
+            let Spacing { count, margin, .. } = spacings[world];
+            if margin == 0.0 { lengths[order[world].0] / count as f64 } else { voxel_size }
+        };
+        let edges = DVec3::from_array(std::array::from_fn(edge));
         let coordinates = linear * DMat3::from_diagonal(edges);
         let is_straight = (linear - DMat3::IDENTITY).to_cols_array().iter().all(|value| value.abs() < MAX_TILT);
         let is_rotation =
             (linear.transpose() * linear - DMat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-5);
         let linear = if is_straight || !is_rotation { DMat3::IDENTITY } else { linear };
-        let first = DVec3::from_array(std::array::from_fn(|lattice| {
-            let backwards = order.iter().any(|&(axis, backwards)| axis == lattice && backwards);
-            if backwards { volume.size[lattice] as f64 - 0.5 } else { -0.5 }
-        }));
+        let mut first = DVec3::ZERO;
+        for (&(lattice, backwards), Spacing { margin, .. }) in order.iter().zip(spacings) {
+            first[lattice] = if backwards { volume.size[lattice] as f64 - 0.5 - margin } else { margin - 0.5 };
+        }
         let first = volume.world_from_index.transform_point3(first);
         let corner = first / voxel_size;
         // Whole voxels, so that the volume keeps the grid's alignment; what is too far away for f32 stays here.
@@ -81,7 +93,7 @@ impl Placement {
         let corner = if corner.abs().max_element() < f64::from(MAX_COORDINATE / 2) { corner } else { DVec3::ZERO };
         let axes = std::array::from_fn(|world| {
             let (lattice, backwards) = order[world];
-            Axis::new(lattice, volume.size, backwards, counts[world], nearest)
+            Axis::spaced(lattice, volume.size, backwards, spacings[world], nearest)
         });
         let world_from_grid = Transform { linear: linear.as_mat3(), translation: corner.as_vec3() };
         let grid_from_world = DAffine3 { matrix3: linear, translation: corner }.inverse();

@@ -22,13 +22,13 @@ pub(super) struct LayerBricks {
     pub looks: Looks,
 }
 
-/// The bricks of one layer of bricks, with places in the looks of `layers` for materials.
-pub(super) fn bricks(layers: &Layers, layer: usize, shell: bool) -> LayerBricks {
+/// The bricks of one layer of bricks, with places in the looks of `layers` for materials; some of them where they are not `wanted` any more.
+pub(super) fn bricks(layers: &Layers, layer: usize, shell: bool, wanted: &(dyn Fn() -> bool + Sync)) -> LayerBricks {
     let axes = layers.axes;
-    let slab = Slab::seen(layers, layer, shell);
+    let slab = Slab::seen(layers, layer, shell, wanted);
     let (wide, deep) = (axes[0].count().div_ceil(EDGE), axes[1].count().div_ceil(EDGE));
     let (mut bricks, mut looks) = (Vec::new(), Looks::default());
-    for y in 0..deep {
+    for y in (0..deep).take_while(|_| wanted()) {
         for word in 0..slab.words {
             let rows: [u64; EDGE * EDGE] =
                 std::array::from_fn(|at| slab.row(y * EDGE + at % EDGE + 1, at / EDGE + 1)[word]);
@@ -56,7 +56,7 @@ pub(super) fn bricks(layers: &Layers, layer: usize, shell: bool) -> LayerBricks 
 
 /// The number of occupied voxels in one layer of bricks.
 pub(super) fn count(layers: &Layers, layer: usize, shell: bool) -> u64 {
-    let slab = Slab::seen(layers, layer, shell);
+    let slab = Slab::seen(layers, layer, shell, &|| true);
     let rows = (1..=EDGE).flat_map(|z| (1..slab.rows - 1).map(move |y| (y, z)));
     rows.flat_map(|(y, z)| slab.row(y, z)).map(|word| u64::from(word.count_ones())).sum()
 }
@@ -67,9 +67,12 @@ fn value_at(layers: &Layers, [x, y, z]: [usize; 3]) -> f32 {
     sample(layers.volume, axes, [&axes[0].taps[x], &axes[1].taps[y], &axes[2].taps[z]])
 }
 
-/// The values of all voxels.
-pub(super) fn values(volume: &Volume, axes: &[Axis; 3]) -> Vec<f32> {
+/// The values of all voxels; of some where they are not `wanted` any more.
+pub(super) fn values(volume: &Volume, axes: &[Axis; 3], wanted: &(dyn Fn() -> bool + Sync)) -> Vec<f32> {
     let layer = |at_z: &Taps| {
+        if !wanted() {
+            return Vec::new();
+        }
         let rows = axes[1].taps.iter();
         let voxels = rows.flat_map(|at_y| axes[0].taps.iter().map(move |at_x| [at_x, at_y]));
         voxels.map(|[at_x, at_y]| sample(volume, axes, [at_x, at_y, at_z])).collect::<Vec<_>>()
@@ -100,17 +103,17 @@ struct Slab {
 
 impl Slab {
     /// What is seen: of the shell alone, where that is wanted.
-    fn seen(layers: &Layers, layer: usize, shell: bool) -> Self {
-        let slab = Self::new(layers, layer);
+    fn seen(layers: &Layers, layer: usize, shell: bool, wanted: &(dyn Fn() -> bool + Sync)) -> Self {
+        let slab = Self::new(layers, layer, wanted);
         if shell { slab.shell() } else { slab }
     }
 
-    fn new(layers: &Layers, layer: usize) -> Self {
+    fn new(layers: &Layers, layer: usize, wanted: &(dyn Fn() -> bool + Sync)) -> Self {
         let axes = layers.axes;
         let (words, rows) = (axes[0].count().div_ceil(WORD), axes[1].count().next_multiple_of(EDGE) + 2);
         let mut slab = Self { bits: vec![0; words * rows * (EDGE + 2)], words, rows };
         let reader = RowReader::new(layers.volume, axes, layers.lookup);
-        for z in 0..EDGE + 2 {
+        for z in (0..EDGE + 2).take_while(|_| wanted()) {
             let Some(at_z) = (layer * EDGE + z).checked_sub(1).and_then(|z| axes[2].taps.get(z)) else { continue };
             for (y, at_y) in axes[1].taps.iter().enumerate() {
                 let start = (z * rows + y + 1) * words;
@@ -282,7 +285,7 @@ mod tests {
         let lookup = Transfer::new("", ramp).lookup();
         let axes = [0, 1, 2].map(|axis| Axis::new(axis, SIZE, axis == 0 && backwards, SIZE[axis], false));
         let layers = Layers { volume: &volume, axes: &axes, lookup: &lookup, colors: None, overlays: Vec::new() };
-        let found = (0..3).flat_map(|layer| bricks(&layers, layer, shell).bricks);
+        let found = (0..3).flat_map(|layer| bricks(&layers, layer, shell, &|| true).bricks);
         let voxels =
             found.flat_map(|(at, brick)| brick.voxels().map(|voxel| at * BRICK_SIZE + voxel.0).collect::<Vec<_>>());
         let mut voxels: Vec<IVec3> = voxels.collect();

@@ -43,11 +43,16 @@ pub struct ValueStatistics {
 
 impl ValueStatistics {
     pub(super) fn of(volume: &Volume) -> Self {
+        Self::of_while(volume, &|| true)
+    }
+
+    /// As [`Self::of`]; anything where nobody wants it any more.
+    pub(super) fn of_while(volume: &Volume, wanted: &(dyn Fn() -> bool + Sync)) -> Self {
         let mut look = Look::default();
-        look.add(&volume.values);
+        look.add(&volume.values, wanted);
         let mut values = Self::at_first(&look, volume);
-        let Ok(()) =
-            values.measure_scale(&look, &mut |low, high| Ok::<_, Infallible>(binned(&volume.values, low, high)));
+        let mut binned = |low, high| Ok::<_, Infallible>(binned_while(&volume.values, low, high, wanted));
+        let Ok(()) = values.measure_scale(&look, &mut binned);
         values
     }
 
@@ -94,10 +99,12 @@ impl Default for Look {
 }
 
 impl Look {
-    /// Looks at further values, on all threads.
-    pub fn add(&mut self, values: &[f32]) {
+    /// Looks at further values, on all threads, as long as that is wanted.
+    pub fn add(&mut self, values: &[f32], wanted: &(dyn Fn() -> bool + Sync)) {
         let looks = values.par_chunks(CHUNK).fold(Self::default, |mut look, values| {
-            look.add_chunk(values);
+            if wanted() {
+                look.add_chunk(values);
+            }
             look
         });
         let found = looks.reduce(Self::default, Self::and);
@@ -234,9 +241,16 @@ fn bins(low: f32, high: f32) -> impl Fn(f32) -> usize {
 
 /// Counts of finite values in bins from `low` to `high`.
 pub(super) fn binned(values: &[f32], low: f32, high: f32) -> Vec<u64> {
+    binned_while(values, low, high, &|| true)
+}
+
+/// As [`binned`], as long as that is wanted.
+fn binned_while(values: &[f32], low: f32, high: f32, wanted: &(dyn Fn() -> bool + Sync)) -> Vec<u64> {
     let bin = bins(low, high);
     let count = |mut counts: Vec<u64>, values: &[f32]| {
-        values.iter().filter(|value| value.is_finite()).for_each(|&value| counts[bin(value)] += 1);
+        if wanted() {
+            values.iter().filter(|value| value.is_finite()).for_each(|&value| counts[bin(value)] += 1);
+        }
         counts
     };
     values.par_chunks(CHUNK).fold(|| vec![0; BINS], count).reduce(|| vec![0; BINS], sum)
@@ -313,7 +327,7 @@ mod tests {
         for (samples, is_whole) in [(wholes, true), (parts, false)] {
             let frame = Volume::new([5000, 1, 1], samples.clone());
             let mut look = Look::default();
-            samples.chunks(777).for_each(|piece| look.add(piece));
+            samples.chunks(777).for_each(|piece| look.add(piece, &|| true));
             let mut found = ValueStatistics::at_first(&look, &frame);
             let mut passes = 0;
             let mut count = |low, high| {

@@ -81,6 +81,7 @@ impl VoxelizeError {
             Self::Io(error) => ImportErrorKind::Io(error),
             Self::Import(error) => return error,
             Self::Volume(error) => return error.into_import_error(path),
+            Self::Cancelled => ImportErrorKind::Stopped,
             error => ImportErrorKind::Malformed(error.to_string()),
         };
         ImportError { path: path.into(), offset: None, kind }

@@ -14,6 +14,14 @@ use std::sync::Arc;
 use voxtrace_core::{Frame, PackedScene, Region, TraceError};
 use voxtrace_realtime::{LightCache, Parts, Rate, RealTimeParams, flag, squares};
 
+/// What all frames of a picture have.
+struct Prepared {
+    params: FrameParams,
+    tracing: Variant,
+    /// Whether paths are traced in waves.
+    in_waves: bool,
+}
+
 impl Worker {
     /// Traces the next frame of real-time light and writes it to a picture.
     pub fn show_real_time(
@@ -50,6 +58,14 @@ impl Worker {
         };
         state.set_instances(scene.instances().len());
         let parts = state.frames.parts;
+        // First: of pixels of another size nothing is known, and their first picture has the paths of several frames.
+        let prepared = match self.make_room(&mut state, &scene, frame) {
+            Ok(prepared) => prepared,
+            Err(error) => {
+                self.unbind_real_time();
+                return Err(error);
+            }
+        };
         let frames = state.frames.frames_of_picture(frame);
         if frames > 1 {
             state.left.begin_anew();
@@ -58,7 +74,7 @@ impl Worker {
         for number in 1..=frames {
             // Of frames that are not shown nothing is filtered.
             state.frames.parts.filter = parts.filter && number == frames;
-            let next = self.real_time_frame(&mut state, &scene, frame, rate, picture);
+            let next = self.real_time_frame(&mut state, &scene, frame, (rate, &prepared), picture);
             state.frames.parts = parts;
             result = next.map(|next| match result {
                 Ok(before) => next.after(before),
@@ -78,14 +94,8 @@ impl Worker {
         result
     }
 
-    fn real_time_frame(
-        &mut self,
-        state: &mut RealTime,
-        scene: &PackedScene,
-        frame: &Frame,
-        rate: Rate,
-        picture: &Picture,
-    ) -> Result<RealTimeFrame, TraceError> {
+    /// Makes room for the pixels of a picture. Where there was room for others, nothing is known of pixels any more.
+    fn make_room(&mut self, state: &mut RealTime, scene: &PackedScene, frame: &Frame) -> Result<Prepared, TraceError> {
         let whole = Region { x0: 0, y0: 0, x1: frame.width, y1: frame.height };
         let params = FrameParams::of_frame(scene, &frame.clone().region(whole));
         let (tracing, in_waves) = self.tracing_variant(&params, frame)?;
@@ -99,6 +109,18 @@ impl Worker {
             }
             result => result?,
         }
+        Ok(Prepared { params, tracing, in_waves })
+    }
+
+    fn real_time_frame(
+        &mut self,
+        state: &mut RealTime,
+        scene: &PackedScene,
+        frame: &Frame,
+        (rate, prepared): (Rate, &Prepared),
+        picture: &Picture,
+    ) -> Result<RealTimeFrame, TraceError> {
+        let &Prepared { params, tracing, in_waves } = prepared;
         let mut of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
         let leaves = in_waves && tracing.has_materials && state.left.in_waves();
         if leaves {

@@ -27,6 +27,7 @@ mod points;
 mod points_damage;
 mod points_streamed;
 mod shared_tiles;
+mod skins;
 mod slices;
 mod tiff_segments;
 mod tiles;

@@ -1,6 +1,8 @@
 //! Pictures and film files are read back, by other code than ours where there is any, and hold what the film held.
 
 use std::io::Cursor;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use voxtrace::camera::Lens;
 use voxtrace::cuts::Cuts;
 use voxtrace::film::{AovPixel, Pixel};
@@ -12,7 +14,9 @@ use voxtrace::output::{
     write_png,
 };
 use voxtrace::sky::{Background, Environment, EnvironmentMap};
-use voxtrace::{Camera, Film, Frame, Integrator, Region, Sky, Sun};
+use voxtrace::{
+    Camera, CpuTracer, Film, Frame, Integrator, PackedScene, Picture, Progress, Region, Sky, Sun, Tracer, scenes,
+};
 
 const SAMPLES: u32 = 4;
 
@@ -264,7 +268,7 @@ fn a_film_file_comes_back_as_it_was() {
 fn a_film_under_an_environment_map_holds_it() {
     let mut file = example();
     let texels: Vec<Vec3> = (0..16).map(|index| Vec3::splat(index as f32)).collect();
-    let map = std::sync::Arc::new(EnvironmentMap::new(4, &texels).unwrap());
+    let map = Arc::new(EnvironmentMap::new(4, &texels).unwrap());
     let set = |file: &mut FilmFile, rotation| {
         file.scene.sky.set_background(Background::Environment(Environment::new(map.clone(), rotation)));
     };
@@ -397,4 +401,27 @@ fn a_film_of_another_scene_or_other_settings_is_told_apart() {
     assert!(differs(&|frame, _| frame.integrator = Integrator::Essay).starts_with("integrator"));
     assert!(differs(&|frame, _| frame.transparent = false).starts_with("transparency"));
     assert!(differs(&|frame, _| frame.lines = lines(7)).starts_with("lines none in the film, edges 0.3125,0.5,0.31"));
+}
+
+#[test]
+fn noise_is_removed_as_long_as_somebody_waits() {
+    let scene = Arc::new(PackedScene::pack(&scenes::generate("church", Some(20_000)).unwrap()).unwrap());
+    let frame = Frame::new(scene.cameras[0].clone(), 96, 54).samples(4);
+    let mut tracer = CpuTracer::new(None);
+    tracer.set_scene(&scene).unwrap();
+    let picture = Picture::trace(&mut tracer, &scene, frame, false, &Progress::default()).unwrap().unwrap();
+    let asked = AtomicU32::new(0);
+    let without_noise = |most: u32| {
+        asked.store(0, Ordering::Relaxed);
+        let wanted = || asked.fetch_add(1, Ordering::Relaxed) < most;
+        picture.clone().without_noise_while(&scene, &wanted)
+    };
+    let whole = without_noise(u32::MAX).unwrap();
+    assert_eq!(whole.denoised(), picture.clone().without_noise(&scene).denoised());
+    let times = asked.load(Ordering::Relaxed);
+    // In each row of the rays that are cast anew, and of the levels of the filter.
+    assert!(times > 5 * 54, "{times}");
+    for most in [0, 54, times / 2, times - 1] {
+        assert!(without_noise(most).is_none(), "{most} of {times}");
+    }
 }

@@ -187,6 +187,41 @@ fn samples_that_are_farther_apart_along_one_axis_keep_their_proportions() {
 }
 
 #[test]
+fn voxels_between_samples_are_cubes_and_have_the_values_of_their_places() {
+    // The value is the height, from both ends of the lattice.
+    let volumes = [1.0, -1.0].map(|sign| {
+        let heights = (0..3 * 3 * 25).map(|n| (n / 9) as f64 * 2.5 * sign + 107.3);
+        let mut volume = Volume::new([3, 3, 25], heights.map(|height| height as f32).collect());
+        volume.world_from_index.matrix3.z_axis = DVec3::Z * 2.5 * sign;
+        volume.world_from_index.translation.z = 107.3;
+        (volume, sign)
+    });
+    for (volume, sign) in &volumes {
+        // 63, 31, 89 and 23 voxels, of which the last ones fit in no whole number of times.
+        for size in [1.0, 2.0, 0.7, 2.75] {
+            let threshold = 107.3 + 29.9 * sign;
+            let transfer = Some(Preset::Surface.transfer());
+            let options = VolumeOptions {
+                scale: Some(Scale::VoxelSize(size)),
+                transfer,
+                threshold: Some(threshold as f32),
+                ..VolumeOptions::default()
+            };
+            let scene = volume::voxelize(volume, &options, &Limits::default()).unwrap();
+            let place = scene.georeference.as_ref().unwrap().coordinates_from_world;
+            assert!((place.matrix3.z_axis - DVec3::Z * size).length() < 1e-12, "{size}: {place:?}");
+            let lowest = voxels(&scene).iter().map(|(voxel, _)| voxel.z).min().unwrap();
+            let middle = DVec3::new(0.5, 0.5, f64::from(lowest) + 0.5);
+            let world = scene.instances[0].world_from_grid.point(middle.as_vec3()).as_dvec3();
+            let height = place.transform_point3(world).z;
+            // The box filter sees samples as steps, a step is 2.5 high.
+            let mixed = if size > 2.5 { 0.3 } else { 1e-4 };
+            assert!((-mixed..size + mixed).contains(&(height - threshold)), "{size} {sign}: {height} {threshold}");
+        }
+    }
+}
+
+#[test]
 fn a_shell_looks_the_same_from_outside_and_hides_nothing() {
     let size = [21, 19, 23];
     let value = |x: usize, y: usize, z: usize| {

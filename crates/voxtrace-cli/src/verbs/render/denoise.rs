@@ -10,6 +10,10 @@ use voxtrace::motion::{Moment, Shot};
 use voxtrace::output::{Denoised, FilmFile};
 use voxtrace_oidn::{Oidn, OidnError, VARIABLE};
 
+/// What to say where films alone are written. They are not filtered, but keep how they stood half way, which tells the filter later how noisy
+/// they are.
+pub const OF_FILMS: &str = "films keep their noise: --resume FILM --denoise -o NAME.png makes a picture without it";
+
 /// The filters, as an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum DenoiseArg {

@@ -10,7 +10,7 @@ use crate::packed::file::VERSION;
 use crate::packed::instance_record::InstanceRecord;
 use crate::packed::lights::append_lights_of_grid;
 use crate::packed::material_records::MaterialRecords;
-use crate::packed::pack::{CellsOfGrid, cells_of, levels_of, name_bricks, ordered_position};
+use crate::packed::pack::{CellsOfGrid, cells_of, levels_of, name_bricks, ordered_position, top_offset};
 use crate::packed::section_writer::SectionWriter;
 use crate::packed::skip_distances::Level;
 use crate::packed::stream::{copy, map_bricks};
@@ -109,7 +109,7 @@ impl Pass<'_> {
                 origin: low * BRICK_SIZE,
                 top_shift: levels[0].shift,
                 top_size: levels[0].size,
-                top_offset: cells.len() as u32,
+                top_offset: top_offset(cells.len())?,
                 min: found.min,
                 voxels: [found.voxels as u32, (found.voxels >> 32) as u32],
                 max: found.max,

@@ -2,7 +2,7 @@
 
 use super::super::file_error::{FileErrorKind, damaged};
 use super::super::lights::append_lights_of_grid;
-use super::super::pack::{CellsOfGrid, cells_of, levels_of, ordered_position};
+use super::super::pack::{CellsOfGrid, cells_of, levels_of, ordered_position, top_offset};
 use super::super::parts::kept_instances;
 use super::super::{
     CELL_OCCUPIED, Geometry, Outline, PackedGrid, PackedInstance, PackedScene, Placement, section_reader::Reader,
@@ -181,8 +181,9 @@ impl Arrays {
                 return Err("there are more bricks than the format can number".into());
             }
         }
+        let top_offset = top_offset(self.cells.len()).map_err(|error| error.to_string())?;
         let (top_shift, top_size) = (levels[0].shift, levels[0].size);
-        self.grids.push(PackedGrid { top_shift, top_size, top_offset: self.cells.len() as u32, ..*grid });
+        self.grids.push(PackedGrid { top_shift, top_size, top_offset, ..*grid });
         self.cells.extend(cells);
         Ok(())
     }

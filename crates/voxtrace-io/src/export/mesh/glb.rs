@@ -38,7 +38,9 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     write_atomically(path, |file| {
         let words = [0x4654_6c67, 2, size, json_size as u32, 0x4e4f_534a];
         words.iter().try_for_each(|word: &u32| file.write_all(&word.to_le_bytes()))?;
-        write!(file, "{json:width$}", width = json_size as usize - (json.len() - json.chars().count()))?;
+        file.write_all(json.as_bytes())?;
+        // Chunks are filled up with spaces.
+        file.write_all(&b"   "[..json_size as usize - json.len()])?;
         [document.bytes as u32, 0x004e_4942].iter().try_for_each(|word: &u32| file.write_all(&word.to_le_bytes()))?;
         document.primitives.iter().try_for_each(|primitive| primitive.write(file, scene))
     })

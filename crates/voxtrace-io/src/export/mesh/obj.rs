@@ -7,8 +7,10 @@ use crate::output::write_atomically;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use voxtrace_core::atomic_file::{TemporaryFile, check_replaceable};
 use voxtrace_scene::faces::FaceRectangle;
 use voxtrace_scene::material::{Material, encode_srgb};
 use voxtrace_scene::scene::Scene;
@@ -29,15 +31,37 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
         let path = path.to_owned();
         move |error| ExportError::Io { path, error }
     };
-    write_atomically(&library, |file| write_materials(file, &surfaces)).map_err(failure(&library))?;
+    // New materials beside an old mesh would be the wrong ones: they take their place when the mesh has taken its own.
+    let materials = written_aside(&library, |file| write_materials(file, &surfaces)).map_err(failure(&library))?;
     let name = library.file_name().unwrap_or_default().to_string_lossy().into_owned();
     write_atomically(path, |file| write_to(file, &surfaces, &name)).map_err(failure(path))?;
+    materials.map_or(Ok(()), |materials| materials.replace(&library)).map_err(failure(&library))?;
     let media =
         scene.materials.iter().filter(|material| material.absorption != Vec3::ZERO || material.scattering > 0.0);
     let mut lost = left_out(scene);
     let media = media.count();
     lost.extend((media > 0).then(|| format!("what is within media ({media})")));
     Ok(lost)
+}
+
+/// Writes a file under another name, whole and on the disk, so that little can go wrong when it replaces what is at `path`. `None` where that is no
+/// regular file: then it is written at once.
+fn written_aside(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> io::Result<Option<TemporaryFile>> {
+    match check_replaceable(path) {
+        Err(error) if error.kind() == io::ErrorKind::Unsupported => {
+            return write_atomically(path, write).map(|()| None);
+        }
+        checked => checked?,
+    }
+    let mut temporary = TemporaryFile::beside(path)?;
+    let mut writer = BufWriter::new(temporary.try_clone()?);
+    write(&mut writer)?;
+    writer.flush()?;
+    temporary.file().sync_all()?;
+    Ok(Some(temporary))
 }
 
 fn write_to(file: &mut impl Write, surfaces: &Surfaces, library: &str) -> io::Result<()> {

@@ -46,3 +46,25 @@ fn what_is_written_many_at_a_time_keeps_its_order() {
     write_each(&mut written, &numbers, |bytes, number| bytes.write_all(&number.to_le_bytes())).unwrap();
     assert!(written.as_chunks().0.iter().map(|&bytes| u32::from_le_bytes(bytes)).eq(numbers));
 }
+
+#[test]
+fn a_glb_of_thousands_of_instances_is_whole() {
+    let mut grid = VoxelGrid::new();
+    grid.set(IVec3::ZERO, 0);
+    let mut scene = Scene::from_grid("många", grid.clone(), vec![Material::default()]);
+    for place in 1..3000 {
+        scene.add_instance(grid.clone(), Transform::from_translation(Vec3::X * 2.0 * place as f32));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("many.glb");
+    write_glb(&path, &scene).unwrap();
+    let bytes = std::fs::read(&path).unwrap();
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    let json_size = word(12);
+    assert_eq!((word(8), json_size % 4), (bytes.len(), 0));
+    assert!(json_size > 1 << 16, "{json_size}");
+    let document: serde_json::Value = serde_json::from_slice(&bytes[20..20 + json_size]).unwrap();
+    assert_eq!(document["nodes"].as_array().unwrap().len(), 3001);
+    assert_eq!(document["buffers"][0]["byteLength"], word(20 + json_size));
+    assert_eq!(bytes.len(), 28 + json_size + word(20 + json_size));
+}

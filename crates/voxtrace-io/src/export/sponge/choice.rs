@@ -183,6 +183,12 @@ fn candidates() -> Vec<Candidate> {
     names.filter_map(candidate).collect()
 }
 
+/// The materials of all blocks.
+#[cfg(test)]
+pub fn all_materials() -> Vec<Material> {
+    candidates().into_iter().map(|candidate| candidate.material).collect()
+}
+
 /// What is compared: the colour, of what shines as bright as it can be.
 fn hue(material: &Material) -> Vec3 {
     let color = shown_color(material);

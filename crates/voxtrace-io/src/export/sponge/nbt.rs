@@ -45,10 +45,11 @@ impl<W: Write> Writer<W> {
         values.iter().try_for_each(|value| self.writer.write_all(&value.to_be_bytes()))
     }
 
-    pub fn bytes(&mut self, name: &str, values: &[u8]) -> io::Result<()> {
+    /// So many bytes, which `write` writes.
+    pub fn bytes(&mut self, name: &str, length: usize, write: impl FnOnce(&mut W) -> io::Result<()>) -> io::Result<()> {
         self.head(BYTES, name)?;
-        self.length(values.len())?;
-        self.writer.write_all(values)
+        self.length(length)?;
+        write(&mut self.writer)
     }
 
     pub fn text(&mut self, name: &str, value: &str) -> io::Result<()> {

@@ -15,7 +15,7 @@ pub(crate) const READER: Reader = Reader::new(
     "FreeSurfer",
     Kind::Volume,
     &["mgz", "mgh", "mgh.gz"],
-    "FreeSurfer MGH volume, and .mgz: the first frame, placed in the world",
+    "FreeSurfer volume, and .mgh: the first frame, placed in the world",
     |source, options| Ok(stored(source.into_input()?.0, options)?.read(options)?.into()),
 )
 .with_large_volumes(|source, options| stored(source.into_input()?.0, options)?.large());
@@ -53,7 +53,7 @@ fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a
     let (world_from_index, spacing) = header.place(size);
     place(&mut volume, world_from_index, spacing);
     let file = Some(PackedFile { path: path.into(), packing, start: 0 });
-    Ok(Stored { input, layout, is_text: false, frame: volume, file, channel: options.channel })
+    Ok(Stored { input, layout, is_text: false, frame: volume, file, planes: 1, channel: options.channel })
 }
 
 /// Numbers at bytes of a header.

@@ -146,7 +146,7 @@ fn samples<'a>(
         DAffine3::from_mat3(world_from_nifti) * header.nifti_from_index,
         header.spacing * header.unit_size,
     );
-    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), channel: options.channel })
+    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), planes: 1, channel: options.channel })
 }
 
 fn sample_of(kind: i64) -> Option<Sample> {

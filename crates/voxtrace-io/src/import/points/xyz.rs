@@ -45,6 +45,7 @@ fn recognize(clues: &FileClues) -> Recognition {
     let own = clues.path.extension().unwrap_or_default();
     let is_shared = SHARED.iter().any(|extension| own.eq_ignore_ascii_case(extension));
     let (mut row, mut rows, mut is_first, mut has_names) = (Vec::new(), 0, true, false);
+    let mut has_counts = false;
     let is_whole = clues.length.is_some_and(|length| length == clues.head.len() as u64);
     let ends = clues.head.iter().filter(|&&byte| byte == b'\n').count();
     // The last line may be cut off; the names of many columns are.
@@ -57,7 +58,9 @@ fn recognize(clues: &FileClues) -> Recognition {
             rows += 1;
         } else if !is_row || !row.is_empty() {
             has_names |= is_first && Columns::named(comment.unwrap_or(line)).is_some();
-            if comment.is_none() && !(is_first && (row.len() == 1 || has_names)) {
+            has_counts |= is_first && is_row && row.len() == 1;
+            let is_count = has_counts && is_row && is_count(&row);
+            if comment.is_none() && !is_count && !(is_first && (row.len() == 1 || has_names)) {
                 return Recognition::Unknown;
             }
         }
@@ -81,6 +84,8 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     let mut intensities: Vec<f32> = Vec::new();
     let (mut row, mut left_out) = (Vec::with_capacity(COLUMNS), 0u64);
     let mut is_fraction = true;
+    // Points that the last count announces, and those behind it.
+    let (mut announced, mut in_block) = (None::<f64>, 0u64);
     loop {
         let start = input.offset();
         let Some(line) = input.line()? else { break };
@@ -110,11 +115,14 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
         if row.is_empty() {
             continue;
         }
-        // Some programs say first how many points follow.
-        if row.len() == 1 && cloud.positions.is_empty() {
+        let has_end = text.ends_with(b",") || text.ends_with(b";");
+        // Some programs say first how many points follow, and again before the points of each further scan.
+        let is_first = row.len() == 1 && cloud.positions.is_empty();
+        if is_first || (is_pts || announced.is_some()) && !has_end && is_count(&row) {
+            (announced, in_block) = (Some(row[0]), 0);
             continue;
         }
-        let has_end = text.ends_with(b",") || text.ends_with(b";");
+        in_block += 1;
         let is_short = |columns: Columns| row.len() <= columns.highest() && !has_end;
         // A comment with these words in it need not be their names.
         if is_in_comment && cloud.positions.is_empty() && columns.is_some_and(is_short) {
@@ -156,6 +164,13 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     if cloud.positions.is_empty() {
         return Err(ImportError::malformed(path, input.offset(), "a text without a point"));
     }
+    if let Some(count) = announced.filter(|&count| count > 0.0 && in_block == 0) {
+        return Err(ImportError::truncated(
+            path,
+            input.offset(),
+            format!("the {count} points that its last count announces"),
+        ));
+    }
     if left_out > 0 {
         cloud.notes.push(format!("{left_out} points that are not finite are left out"));
     }
@@ -166,6 +181,11 @@ fn read(mut input: Input, limits: &Limits) -> Result<PointCloud, ImportError> {
     }
     cloud.offset = local_origin.offset();
     Ok(cloud)
+}
+
+/// Whether a line says how many points follow.
+fn is_count(row: &[f64]) -> bool {
+    matches!(*row, [count] if count >= 0.0 && count.fract() == 0.0)
 }
 
 /// What stands behind the mark of a comment.
@@ -373,6 +393,30 @@ mod tests {
             let points = cloud("a.csv", text);
             assert_eq!(points.positions.len(), 2, "{text:?}");
             assert_eq!(points.positions[1].to_array(), [4.0, 5.0, 6.0], "{text:?}");
+        }
+    }
+
+    #[test]
+    fn points_of_several_scans_have_a_count_each() {
+        let several = "2\n1 2 3 12 200 100 50\n1 2 4 13 0 0 0\n0\n1\n1 2 5 14 9 8 7\n";
+        for (name, text) in [("a.pts", several.to_owned()), ("a.txt", several.into()), ("a.pts", several[2..].into())] {
+            let points = cloud(name, &text);
+            assert_eq!(points.positions.iter().map(|at| at.z).collect::<Vec<_>>(), [3.0, 4.0, 5.0], "{name} {text:?}");
+            if name == "a.pts" {
+                assert_eq!((points.colors[2], points.intensities[2]), ([9, 8, 7], 14));
+            }
+        }
+        let options = crate::import::ImportOptions::default();
+        let (head, length) = (several.as_bytes(), Some(several.len() as u64));
+        let told = recognize(&FileClues { path: Path::new("a.dat"), head, length, options: &options });
+        assert_eq!(told, Recognition::Likely);
+        // A row that was cut off is no count, nor is one without its points, or in a file that counts nothing.
+        let limits = Limits::default();
+        for (name, text, at) in
+            [("a.pts", "1\n1 2 3\n4.5\n", 8), ("a.pts", "1\n1 2 3\n4", 9), ("a.xyz", "1 2 3\n4\n4 5 6\n", 6)]
+        {
+            let error = read(Input::of_bytes(text.as_bytes(), Path::new(name), &limits).unwrap(), &limits);
+            assert_eq!(error.unwrap_err().offset, Some(at), "{text:?}");
         }
     }
 

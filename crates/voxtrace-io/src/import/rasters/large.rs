@@ -37,7 +37,7 @@ pub(super) fn open(source: Source, options: &ImportOptions) -> Result<Option<Box
         let (mut input, _) = source.into_input()?;
         input.skip(contiguous.start, "what stands before its samples")?;
         let file = Some(PackedFile { path: path.into(), packing: Packing::Plain, start: 0 });
-        let stored = Stored { input, layout: contiguous.layout, is_text: false, frame, file, channel: None };
+        let stored = Stored { input, layout: contiguous.layout, is_text: false, frame, file, planes: 1, channel: None };
         return stored.large();
     }
     // Colours are shown as such, and need all samples at once.

@@ -22,6 +22,8 @@ pub(crate) struct Stored<'a> {
     pub frame: Volume,
     /// Where the samples lie, if it is one file.
     pub file: Option<PackedFile>,
+    /// How many numbers there are at a place that lie each in a volume by itself, one behind the other; 1 as a rule.
+    pub planes: usize,
     /// Number of the channel that is asked for.
     pub channel: Option<u32>,
 }
@@ -38,7 +40,7 @@ impl Stored<'_> {
     /// Reads all samples.
     pub fn read(mut self, options: &ImportOptions) -> Result<Volume, ImportError> {
         let options = ImportOptions { channel: self.channel, ..options.clone() };
-        let found = entries::read(&mut self.input, self.layout, self.is_text, &options)?;
+        let found = entries::read(&mut self.input, (self.layout, self.planes), self.is_text, &options)?;
         let notes = found.notes.into_iter().chain(self.frame.notes).collect();
         Ok(Volume { values: found.values, colors: found.colors, notes, ..self.frame })
     }
@@ -49,7 +51,7 @@ impl Stored<'_> {
     /// # Errors
     /// If the file is too short for them.
     pub fn large(self) -> Result<Option<Box<dyn SampleSource>>, ImportError> {
-        let is_single = !self.is_text && self.layout.components == 1;
+        let is_single = !self.is_text && self.layout.components == 1 && self.planes == 1;
         let Some(file) = self.file.filter(|_| is_single) else { return Ok(None) };
         if let Some(remaining) = self.input.remaining().filter(|&remaining| remaining < self.layout.bytes()) {
             let what = format!("its samples, which take {} bytes", self.layout.bytes());

@@ -42,12 +42,14 @@ impl Watch {
         Self(GOES_ON.with_borrow(Clone::clone))
     }
 
+    /// Whether somebody waits for what is read.
+    pub fn goes_on(&self) -> bool {
+        self.0.as_ref().is_none_or(|goes_on| goes_on())
+    }
+
     /// Fails with [`Stopped`] where reading is to end.
     pub fn check(&self) -> std::io::Result<()> {
-        match &self.0 {
-            Some(goes_on) if !goes_on() => Err(Error::other(Stopped)),
-            _ => Ok(()),
-        }
+        if self.goes_on() { Ok(()) } else { Err(Error::other(Stopped)) }
     }
 }
 

@@ -96,7 +96,7 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
     frame.notes.extend(note);
     header.place(&mut frame);
     let file = PackedFile { path: own, packing, start };
-    Ok(Stored { input, layout, is_text: header.text, frame, file: Some(file), channel: options.channel })
+    Ok(Stored { input, layout, is_text: header.text, frame, file: Some(file), planes: 1, channel: options.channel })
 }
 
 fn sample_of(kind: &str) -> Option<Sample> {

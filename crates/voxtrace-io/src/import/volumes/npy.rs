@@ -89,7 +89,7 @@ pub(super) fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Resul
     let mut frame = Volume { size, ..Volume::new([1; 3], Vec::new()) };
     frame.notes.extend(note);
     let file = PackedFile { path: path.into(), packing: Packing::Plain, start: 0 };
-    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), channel: options.channel })
+    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), planes: 1, channel: options.channel })
 }
 
 fn sample_of(kind: &str) -> Option<(bool, Sample)> {

@@ -51,7 +51,9 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
     let size = std::array::from_fn(|n| space.get(n).map_or(1, |&axis| sizes[axis]));
     let size = checked_size(path, input.offset(), size, limits)?;
     let components = usize::try_from(product(&sizes[..first])).unwrap_or(usize::MAX).max(1);
-    let volumes = product(&sizes[first + space.len()..]);
+    let after = first + space.len();
+    let volumes = product(&sizes[after..]);
+    let numbers = Planes::of(&header, sizes, first, after).map_err(unsupported)?;
     let kind = header.kind.as_deref().ok_or_else(|| malformed("a NRRD header without a type"))?;
     let sample = sample_of(kind).ok_or_else(|| unsupported(format!("samples of type {kind:?}")))?;
     let layout = Layout { sample, big_endian: header.big_endian, size, components, rescale: (1.0, 0.0) };
@@ -84,12 +86,75 @@ fn stored<'a>(mut input: Input<'a>, folder: &Folder, options: &ImportOptions) ->
         let (place, said) = channels::entry(number, components, "time point", "--time").map_err(unsupported)?;
         (channel, note, behind.to_mut().time) = (Some(place as u32 + 1), said, None);
     }
-    let of_volumes = entries::skip_to_time(&mut input, &layout, volumes, is_text, &behind)?;
+    let (planes, of_volumes) = match numbers {
+        Some(numbers) => {
+            channel = None;
+            let (skipped, planes, notes) = numbers.chosen(options).map_err(unsupported)?;
+            if skipped > 0 && is_text {
+                return Err(unsupported("time points and channels of samples that are text".into()));
+            }
+            entries::skip_volumes(&mut input, &layout, skipped as u64)?;
+            (planes, notes)
+        }
+        None => (1, entries::skip_to_time(&mut input, &layout, volumes, is_text, &behind)?.into_iter().collect()),
+    };
     let mut frame = Volume { size, ..Volume::new([1; 3], Vec::new()) };
     frame.notes.extend(note.into_iter().chain(of_volumes));
     header.place(&mut frame, &space);
     let file = (files.len() < 2).then_some(PackedFile { path: own, packing: samples.packing, start });
-    Ok(Stored { input, layout, is_text, frame, file, channel })
+    Ok(Stored { input, layout, is_text, frame, file, planes, channel })
+}
+
+/// Numbers of one place that lie in volumes of their own: those of a vector or colour whose axis comes behind the axes of space.
+struct Planes {
+    count: usize,
+    time_points: usize,
+    /// Whether those of a time point lie one behind the other, and not the time points of a number.
+    are_together: bool,
+}
+
+impl Planes {
+    /// Those of a file whose axes of space are `first..after`, if it has any.
+    fn of(header: &Header, sizes: &[u64], first: usize, after: usize) -> Result<Option<Self>, String> {
+        let is_number = |axis: usize| first == 0 && header.kinds.get(axis).is_some_and(|kind| holds_numbers(kind));
+        // An axis of one entry parts nothing.
+        let axes = (after..sizes.len()).filter(|&axis| sizes[axis] != 1);
+        let axes: Vec<(bool, u64)> = axes.map(|axis| (is_number(axis), sizes[axis])).collect();
+        let product = |of_numbers: bool| {
+            let sizes = axes.iter().filter(|(is_number, _)| *is_number == of_numbers);
+            let all = sizes.fold(1u64, |all, (_, size)| all.saturating_mul(*size));
+            usize::try_from(all).unwrap_or(usize::MAX)
+        };
+        let (count, time_points) = (product(true), product(false));
+        if count <= 1 {
+            return Ok(None);
+        }
+        let are_together = axes.is_sorted_by(|(a, _), (b, _)| a >= b);
+        if !are_together && !axes.is_sorted_by(|(a, _), (b, _)| a <= b) {
+            return Err("axes of vectors or colours with others between them".into());
+        }
+        Ok(Some(Self { count, time_points, are_together }))
+    }
+
+    /// How many volumes lie before the first that is asked for, how many are read, and what there is to say.
+    fn chosen(&self, options: &ImportOptions) -> Result<(usize, usize, Vec<String>), String> {
+        let (point, note) = channels::entry(options.time, self.time_points, "time point", "--time")?;
+        if self.are_together {
+            let plane = channels::chosen(options.channel, self.count, "channel")?;
+            let planes = if plane.is_some() { 1 } else { self.count };
+            let before = point.saturating_mul(self.count).saturating_add(plane.unwrap_or(0));
+            return Ok((before, planes, note.into_iter().collect()));
+        }
+        let (plane, of_planes) = channels::entry(options.channel, self.count, "channel", "--channel")?;
+        let before = plane.saturating_mul(self.time_points).saturating_add(point);
+        Ok((before, 1, note.into_iter().chain(of_planes).collect()))
+    }
+}
+
+/// Whether an axis of this kind has the numbers of one place (teem, "Definition of NRRD File Format", section 5), not places or times.
+fn holds_numbers(kind: &str) -> bool {
+    const ENDINGS: [&str; 5] = ["vector", "color", "matrix", "gradient", "normal"];
+    ENDINGS.iter().any(|ending| kind.ends_with(ending)) || matches!(kind, "complex" | "quaternion" | "point")
 }
 
 fn sample_of(kind: &str) -> Option<Sample> {
@@ -339,5 +404,52 @@ mod tests {
             assert!(read_channel(kind, Some(3), Some(2)).unwrap_err().to_string().contains("no channel 2"));
         }
         assert_eq!(read("RGB-color", None).unwrap().colors, [[1, 2, 3], [4, 5, 6]]);
+    }
+
+    #[test]
+    fn axes_behind_those_of_space_are_numbers_of_a_place_or_times_by_their_kinds() {
+        let read = |sizes: &str, kinds: &str, time, channel| {
+            let dimension = sizes.split(' ').count();
+            let head = format!("NRRD0004\ntype: uint8\ndimension: {dimension}\nsizes: {sizes}\nencoding: raw\n");
+            let bytes = [format!("{head}kinds: {kinds}\n\n").as_bytes(), &(1..=12).collect::<Vec<u8>>()].concat();
+            let options = ImportOptions { time, channel, ..ImportOptions::default() };
+            let path = Path::new("a.nrrd");
+            let input = Input::of_bytes(&bytes, path, &options.limits).unwrap();
+            let read = stored(input, &Folder::none(), &options).and_then(|stored| stored.read(&options));
+            read.map_err(|error| error.to_string())
+        };
+        let color = "domain domain domain RGB-color";
+        let found = read("2 1 1 3", color, None, None).unwrap();
+        assert_eq!((found.colors, found.size, found.notes.len()), (vec![[1, 3, 5], [2, 4, 6]], [2, 1, 1], 0));
+        assert_eq!(read("2 1 1 3", color, None, Some(3)).unwrap().values, [5.0, 6.0]);
+        assert!(read("2 1 1 3", color, None, Some(4)).unwrap_err().contains("no channel 4"));
+        assert!(read("2 1 1 3", color, Some(2), None).unwrap_err().contains("no time point 2"));
+        // Of a picture, too.
+        assert_eq!(read("2 1 3", "domain domain RGB-color", None, None).unwrap().colors, [[1, 3, 5], [2, 4, 6]]);
+        let length = |a: f32, b: f32| (a * a + b * b).sqrt();
+        let vectors = read("2 1 1 2", "space space space vector", None, None).unwrap();
+        assert_eq!(vectors.values, [length(1.0, 3.0), length(2.0, 4.0)]);
+        // Lists and times are chosen by --time, wherever they are.
+        for kind in ["list", "time", "none", "???"] {
+            let kinds = format!("domain domain domain {kind}");
+            let first = read("2 1 1 3", &kinds, None, None).unwrap();
+            assert!(
+                first.values == [1.0, 2.0] && first.notes[0].contains("3 time points"),
+                "{kind}: {:?}",
+                first.notes
+            );
+            assert_eq!(read("2 1 1 3", &kinds, Some(3), None).unwrap().values, [5.0, 6.0], "{kind}");
+        }
+        let inner = "domain domain domain RGB-color list";
+        assert_eq!(read("2 1 1 3 2", inner, Some(2), None).unwrap().colors, [[7, 9, 11], [8, 10, 12]]);
+        assert_eq!(read("2 1 1 3 2", inner, Some(2), Some(1)).unwrap().values, [7.0, 8.0]);
+        let outer = "domain domain domain time vector";
+        assert_eq!(read("2 1 1 2 3", outer, Some(2), Some(3)).unwrap().values, [11.0, 12.0]);
+        let first = read("2 1 1 2 3", outer, None, None).unwrap();
+        assert_eq!((first.values, first.notes.len()), (vec![1.0, 2.0], 2));
+        let alone = read("2 1 1 3 1 2", "domain domain domain vector list vector", None, Some(6)).unwrap();
+        assert_eq!(alone.values, [11.0, 12.0]);
+        let between = read("1 1 1 2 2 3", "domain domain domain vector list vector", None, None);
+        assert!(between.unwrap_err().contains("axes of vectors or colours with others between them"));
     }
 }

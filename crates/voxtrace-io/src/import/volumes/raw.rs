@@ -35,5 +35,5 @@ fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a
     if let Some(left @ 1..) = input.remaining().map(|there| there.saturating_sub(layout.bytes())) {
         frame.notes.push(format!("{left} bytes behind the samples are left out"));
     }
-    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), channel: None })
+    Ok(Stored { input, layout, is_text: false, frame, file: Some(file), planes: 1, channel: None })
 }

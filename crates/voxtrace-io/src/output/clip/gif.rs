@@ -24,8 +24,8 @@ pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Res
     let palette = palette_of(options, frames)?;
     let mut bytes: Vec<u8> = palette.iter().flatten().copied().collect();
     bytes.resize(3 * 256, 0);
-    let mut encoder = gif::Encoder::new(out, width, height, &bytes).map_err(io::Error::other)?;
-    encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
+    let mut encoder = gif::Encoder::new(out, width, height, &bytes).map_err(into_io)?;
+    encoder.set_repeat(gif::Repeat::Infinite).map_err(into_io)?;
     let strength = strength_of(&palette);
     let mut nearest = Nearest { palette: &palette, known: HashMap::new() };
     let mut shown: Vec<u8> = Vec::new();
@@ -40,10 +40,19 @@ pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Res
         frame.buffer = buffer.into();
         frame.dispose = gif::DisposalMethod::Keep;
         frame.delay = delay(number, options.fps);
-        encoder.write_frame(&frame).map_err(io::Error::other)?;
+        encoder.write_frame(&frame).map_err(into_io)?;
         shown = indices;
     }
-    Ok(())
+    // Its end is written now: when the encoder is dropped, nobody learns that it could not be.
+    encoder.into_inner().map(drop).map_err(into_io)
+}
+
+/// The error of the operating system as it is, so that whoever reads its kind is told of a full disk.
+fn into_io(error: gif::EncodingError) -> io::Error {
+    match error {
+        gif::EncodingError::Io(error) => error,
+        other => io::Error::other(other),
+    }
 }
 
 /// Hundredths of a second that a frame is shown: rounded so that the clip as a whole keeps its time.

@@ -181,4 +181,31 @@ mod tests {
             assert!(format.encode(Vec::new(), &options, &mut short).is_err(), "{format:?}");
         }
     }
+
+    #[test]
+    fn what_the_system_says_of_a_full_disk_stays_what_it_is() {
+        /// A disk with room for so many bytes.
+        struct Disk(usize);
+        impl Write for Disk {
+            fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+                self.0 = self.0.checked_sub(bytes.len()).ok_or(io::ErrorKind::StorageFull)?;
+                Ok(bytes.len())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        let options = ClipOptions { width: 16, height: 16, frames: 2, fps: 10.0, quality: 80, alpha: false };
+        let formats = [ClipFormat::Gif, ClipFormat::Apng];
+        for format in formats.into_iter().chain(cfg!(feature = "mp4").then_some(ClipFormat::Mp4)) {
+            let mut pixels = |frame: u32| Ok(vec![[40 * frame as u8, 9, 200, 255]; 256]);
+            let mut whole = Vec::new();
+            format.encode(&mut whole, &options, &mut pixels).unwrap();
+            // Also where only the last byte has no room.
+            for room in [0, whole.len() / 2, whole.len() - 1] {
+                let error = format.encode(Disk(room), &options, &mut pixels).unwrap_err();
+                assert_eq!(error.kind(), io::ErrorKind::StorageFull, "{format:?}, {room} bytes: {error}");
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! AV1 in MP4, which every current browser plays: encoded by rav1e, in the container by muxide. BT.709, 4:2:0, eight bits.
 
 use super::{ClipOptions, Frames, fraction};
-use muxide::api::{MuxerBuilder, VideoCodec};
+use muxide::api::{MuxerBuilder, MuxerError, VideoCodec};
 use rav1e::prelude::{
     ChromaSampling, ColorDescription, ColorPrimaries, Config, Context, EncoderConfig, EncoderStatus, FrameType,
     MatrixCoefficients, PixelRange, Rational, SpeedSettings, TransferCharacteristics,
@@ -21,7 +21,7 @@ pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Res
     let rate = fraction(options.fps);
     let fps = f64::from(rate.0) / f64::from(rate.1);
     let muxer = MuxerBuilder::new(out).video(VideoCodec::Av1, width as u32, height as u32, fps);
-    let mut muxer = muxer.with_fast_start(true).build().map_err(io::Error::other)?;
+    let mut muxer = muxer.with_fast_start(true).build().map_err(into_io)?;
     let mut written = 0u32;
     let mut drain = |context: &mut Context<u8>| loop {
         match context.receive_packet() {
@@ -29,7 +29,7 @@ pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Res
                 let time = f64::from(written) * f64::from(rate.1) / f64::from(rate.0);
                 written += 1;
                 let is_key = packet.frame_type == FrameType::KEY;
-                muxer.write_video(time, &packet.data, is_key).map_err(io::Error::other)?;
+                muxer.write_video(time, &packet.data, is_key).map_err(into_io)?;
             }
             Err(EncoderStatus::Encoded) => {}
             Err(EncoderStatus::NeedMoreData | EncoderStatus::LimitReached) => return Ok(()),
@@ -48,7 +48,15 @@ pub fn encode(out: impl Write, options: &ClipOptions, frames: Frames) -> io::Res
     }
     context.flush();
     drain(&mut context)?;
-    muxer.finish().map_err(io::Error::other)
+    muxer.finish().map_err(into_io)
+}
+
+/// The error of the operating system as it is, so that whoever reads its kind is told of a full disk.
+fn into_io(error: MuxerError) -> io::Error {
+    match error {
+        MuxerError::Io(error) => error,
+        other => io::Error::other(other),
+    }
 }
 
 fn context(options: &ClipOptions, (width, height): (usize, usize)) -> io::Result<Context<u8>> {

@@ -18,7 +18,7 @@ pub(super) fn of_voxels(
     progress: &VoxelizeProgress,
 ) -> Result<f32, VoxelizeError> {
     let mut look = Look::default();
-    for_each_voxel(source, placement, budget, progress, &mut |values| look.add(values))?;
+    for_each_voxel(source, placement, budget, progress, &mut |values| look.add(values, &|| true))?;
     let mut values = ValueStatistics::at_first(&look, &Volume::new([1; 3], Vec::new()));
     values.measure_scale(&look, &mut |low, high| {
         let mut counts = binned(&[], low, high);

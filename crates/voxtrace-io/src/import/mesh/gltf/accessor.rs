@@ -79,6 +79,24 @@ impl<'a> Accessors<'a> {
         Ok(accessor.count)
     }
 
+    /// The first `most` matrices of an accessor, column by column.
+    pub fn matrices(&self, index: usize, most: usize) -> Result<Vec<[f32; 16]>, Fault> {
+        let accessor = self.of_kinds(index, &["MAT4"])?;
+        if accessor.component_type != FLOAT {
+            return Err(Fault::malformed(format!("accessor {index} holds matrices that are no floats")));
+        }
+        let replaced = self.sparse(index, accessor, 16)?;
+        let mut replaced = replaced.into_iter().peekable();
+        let elements = self.elements(index, accessor, 16)?;
+        let matrix = |item: usize| {
+            let replaced = replaced.next_if(|&(at, _)| at == item).map(|(_, element)| element);
+            let element = replaced.or_else(|| elements.as_ref().map(|elements| elements.at(item)));
+            let number = |n: usize| element.map_or(0.0, |bytes| component(&bytes[4 * n..], FLOAT, false));
+            std::array::from_fn(number)
+        };
+        Ok((0..accessor.count.min(most)).map(matrix).collect())
+    }
+
     /// The whole numbers of an accessor of scalars.
     pub fn indices(&self, index: usize) -> Result<Vec<u32>, Fault> {
         let accessor = self.accessor(index)?;

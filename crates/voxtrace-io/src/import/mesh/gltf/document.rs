@@ -18,7 +18,7 @@ pub(super) struct Document {
     #[serde(default)]
     pub animations: Vec<Animation>,
     #[serde(default)]
-    pub skins: Vec<IgnoredAny>,
+    pub skins: Vec<Skin>,
     #[serde(default)]
     pub buffers: Vec<Buffer>,
     #[serde(default)]
@@ -239,11 +239,20 @@ pub(super) struct Node {
     #[serde(default)]
     pub children: Vec<usize>,
     pub mesh: Option<usize>,
+    pub skin: Option<usize>,
     pub camera: Option<usize>,
     pub matrix: Option<[f64; 16]>,
     pub translation: Option<[f64; 3]>,
     pub rotation: Option<[f64; 4]>,
     pub scale: Option<[f64; 3]>,
+}
+
+/// What is wrong with a skin does not matter where no node wears it.
+#[derive(Deserialize, Default)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Skin {
+    pub joints: Vec<usize>,
+    pub inverse_bind_matrices: Option<usize>,
 }
 
 /// Nothing is asked for: what is wrong with an animation does not matter to a still.

@@ -1,5 +1,5 @@
 //! Binary glTF files, and texts with one file beside them, larger than memory: the document and its pictures are read, arrays stay in the file, and triangles are
-//! made one after the other. What is not plain (compressed or sparse arrays, buffers in other files, faults) is left to the
+//! made one after the other. What is not plain (compressed or sparse arrays, buffers in other files, skins, faults) is left to the
 //! reader that reads all of it.
 
 use super::arrays::{Array, Container, container, pictures};
@@ -7,7 +7,7 @@ use super::byte_cache::ByteCache;
 use super::document::{Document, Primitive};
 use super::moving::Movers;
 use super::primitives::{coordinates, has_triangles, placed, triangle_at, triangle_count};
-use super::scene::{Looks, cameras_at, look, note_of_skipped, visit};
+use super::scene::{Found, Looks, cameras_at, look, note_of_skipped, visit};
 use super::{Buffers, check};
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::folder::Folder;
@@ -62,7 +62,7 @@ impl GltfTriangles {
         let views = pictures(&document, &mut file, &binary, budget).map_err(io)?;
         let (Some(views), Ok(())) = (views, check(&document, limits)) else { return Ok(None) };
         let Ok(Looks { mesh: mut frame, coordinate_sets }) =
-            look(&document, &Buffers::of_views(&document, views), &folder, limits, false)
+            look(&document, &Buffers::of_views(&document, views), &folder, limits, (false, 0))
         else {
             return Ok(None);
         };
@@ -77,7 +77,10 @@ impl GltfTriangles {
             }
             Ok(())
         });
-        let (Ok(found), true) = (found, is_plain) else { return Ok(None) };
+        let (Ok(Found { cameras, skinned }), true) = (found, is_plain) else { return Ok(None) };
+        if !skinned.is_empty() {
+            return Ok(None);
+        }
         let room = budget / 2;
         let open = |room: u64| ByteCache::open(&arrays, room);
         let caches = [open(1 << 18)?, open(room / 2)?, open(room / 4)?, open(room / 4)?];
@@ -99,7 +102,7 @@ impl GltfTriangles {
             return Ok(None);
         }
         frame.offset = source.local_origin.offset();
-        frame.cameras.extend(cameras_at(&found, frame.offset).map(|(camera, _)| camera));
+        frame.cameras.extend(cameras_at(&cameras, frame.offset).map(|(camera, _)| camera));
         frame.notes.extend(note_of_skipped(skipped));
         source.frame = frame;
         Ok(Some(source))

@@ -1,5 +1,5 @@
 //! glTF 2.0, as text with its files beside it and as one binary file (Khronos, "glTF 2.0 Specification"). Read are triangles
-//! with their nodes, materials, pictures and cameras, and the animations of nodes; of a document without triangles its points and lines.
+//! with their nodes, skins, materials, pictures and cameras, and the animations of nodes; of a document without triangles its points and lines.
 
 mod accessor;
 mod animations;
@@ -19,6 +19,7 @@ mod moving;
 mod not_shown;
 mod primitives;
 mod scene;
+mod skins;
 
 use crate::import::reader::{Geometry, ImportOptions, Kind, LargeContent, Magic, Reader};
 use crate::import::source::folder::Folder;

@@ -8,9 +8,11 @@ use super::animations;
 use super::document::{Node, Primitive};
 use super::primitives::Target;
 use super::scene::{Place, pose};
+use super::skins::Pose;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DAffine3, DMat3, DMat4, DVec3};
 use std::collections::HashMap;
+use std::rc::Rc;
 use std::sync::Arc;
 use voxtrace_scene::animation::{Attached, Channel, MovingNode, NodeMotion, NodePose, similarity_of, turn_of};
 use voxtrace_voxelize::mesh::{Mesh, MovingParts};
@@ -47,6 +49,8 @@ pub(super) struct Movers {
     met: Vec<MovingNode>,
     /// Their names.
     names: Vec<String>,
+    /// The places in `met` of nodes of the document.
+    places: HashMap<usize, usize>,
 }
 
 impl Movers {
@@ -61,7 +65,17 @@ impl Movers {
                 waiting.insert(node, (rest, channels));
             }
         }
-        Ok(Self { waiting, met: Vec::new(), names: Vec::new() })
+        Ok(Self { waiting, ..Self::default() })
+    }
+
+    /// Whether a node that was not met yet moves.
+    pub fn awaits(&self, index: usize) -> bool {
+        self.waiting.contains_key(&index)
+    }
+
+    /// A node that moves, if it was met, as what carries something in its own space.
+    pub fn carrier(&self, index: usize) -> Option<Carried> {
+        self.places.get(&index).map(|&node| Carried { node, node_from_own: DAffine3::IDENTITY })
     }
 
     /// What carries the content of a node, within the place `outer` around it and with its own `local` map.
@@ -74,6 +88,7 @@ impl Movers {
         let parent_from_outer = outer.carried.map_or(outer.world, |carried| carried.node_from_own);
         self.met.push(MovingNode { parent, parent_from_outer, rest, channels });
         self.names.push(name.to_owned());
+        self.places.insert(index, self.met.len() - 1);
         Some(Carried { node: self.met.len() - 1, node_from_own: DAffine3::IDENTITY })
     }
 }
@@ -89,17 +104,20 @@ fn rest_of(node: &Node) -> NodePose {
     }
 }
 
+/// A primitive, the map from its own space, or from that of its pose where it follows joints, to that of the node that carries it, and the pose.
+type Piece<'a> = (&'a Primitive, DAffine3, Option<Rc<Pose>>);
+
 /// The primitives that nodes carry.
 #[derive(Default)]
-pub(super) struct Parts<'a>(Vec<Vec<(&'a Primitive, DAffine3)>>);
+pub(super) struct Parts<'a>(Vec<Vec<Piece<'a>>>);
 
 impl<'a> Parts<'a> {
     /// Adds one.
-    pub fn add(&mut self, primitive: &'a Primitive, carried: Carried) {
+    pub fn add(&mut self, primitive: &'a Primitive, carried: Carried, pose: Option<Rc<Pose>>) {
         if self.0.len() <= carried.node {
             self.0.resize_with(carried.node + 1, Vec::new);
         }
-        self.0[carried.node].push((primitive, carried.node_from_own));
+        self.0[carried.node].push((primitive, carried.node_from_own, pose));
     }
 
     pub fn is_empty(&self) -> bool {
@@ -124,8 +142,9 @@ impl<'a> Parts<'a> {
             // What never has a size is never seen.
             let Some(shape) = looks.iter().find_map(|maps| shape_of(&maps[node].matrix3)) else { continue };
             let bits = |map: &DAffine3| map.to_cols_array().map(f64::to_bits);
-            let of_primitive =
-                |(primitive, map): &(&Primitive, DAffine3)| (std::ptr::from_ref::<Primitive>(primitive), bits(map));
+            let of_primitive = |(primitive, map, pose): &Piece| {
+                (std::ptr::from_ref::<Primitive>(primitive), bits(map), pose.as_ref().map(Rc::as_ptr))
+            };
             let key =
                 (primitives.iter().map(of_primitive).collect::<Vec<_>>(), shape.to_cols_array().map(f64::to_bits));
             let part = match known.get(&key) {
@@ -187,7 +206,7 @@ fn shape_of(matrix: &DMat3) -> Option<DMat3> {
 
 /// The mesh of a part, without the materials, which are those of `mesh`.
 fn part_mesh(
-    primitives: &[(&Primitive, DAffine3)],
+    primitives: &[Piece],
     shape: &DMat3,
     mesh: &mut Mesh,
     accessors: &Accessors,
@@ -195,8 +214,8 @@ fn part_mesh(
 ) -> Result<Mesh, Fault> {
     let mut part = Mesh { materials: std::mem::take(&mut mesh.materials), ..Mesh::default() };
     let mut target = Target { mesh: &mut part, local_origin: LocalOrigin::default(), coordinate_sets };
-    for (primitive, node_from_own) in primitives {
-        target.push(primitive, accessors, &(DAffine3::from_mat3(*shape) * *node_from_own))?;
+    for (primitive, node_from_own, pose) in primitives {
+        target.push(primitive, accessors, &(DAffine3::from_mat3(*shape) * *node_from_own), pose.as_deref())?;
     }
     let offset = target.local_origin.offset();
     mesh.materials = std::mem::take(&mut part.materials);

@@ -1,4 +1,4 @@
-//! What a glTF document holds that scenes do not have: motion, lights, maps of normals and occlusion, and extensions that nothing here knows.
+//! What a glTF document holds that scenes do not have: motion of shapes, lights, maps of normals and occlusion, and extensions that nothing here knows.
 
 use super::KNOWN;
 use super::document::Document;
@@ -15,11 +15,11 @@ const OF_MATERIALS: [&str; 7] = [
     "KHR_materials_pbrSpecularGlossiness",
 ];
 
-/// The parts of a document that are not shown; one of its animations may be.
-pub(super) fn parts(document: &Document, is_played: bool) -> NotShown {
+/// The parts of a document that are not shown; one of its animations may be, which bends so many skins.
+pub(super) fn parts(document: &Document, is_played: bool, bent_skins: u64) -> NotShown {
     let mut parts = NotShown::default();
     parts.count("animation", document.animations.len() as u64 - u64::from(is_played));
-    parts.count("skin", document.skins.len() as u64);
+    parts.count("skin", bent_skins);
     let primitives = || document.meshes.iter().flat_map(|mesh| &mesh.primitives);
     parts.count("morph target", primitives().map(|primitive| primitive.targets.len() as u64).sum());
     parts.count("light", document.extensions.lights.as_ref().map_or(0, |own| own.lights.len() as u64));

@@ -4,6 +4,7 @@ use super::Fault;
 use super::accessor::Accessors;
 use super::document::Primitive;
 use super::draco::Geometry;
+use super::skins::{Bound, Pose};
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::local_origin::LocalOrigin;
 use glam::{DAffine3, DVec3, Vec2, Vec4};
@@ -17,14 +18,14 @@ const STRIP: u32 = 5;
 const FAN: u32 = 6;
 
 /// Where the attributes of a primitive come from.
-struct Source<'a> {
-    accessors: &'a Accessors<'a>,
+pub(super) struct Source<'a> {
+    pub accessors: &'a Accessors<'a>,
     packed: Option<&'a Geometry<'a>>,
 }
 
 impl Source<'_> {
     /// As [`Accessors::vectors`], from what is packed where it is there.
-    fn vectors(
+    pub fn vectors(
         &self,
         name: &str,
         index: usize,
@@ -63,7 +64,10 @@ pub(super) fn triangle_at(mode: u32, at: u64) -> [u64; 3] {
 
 /// A vertex in the world: up is y in the file and z with us.
 pub(super) fn placed(world: &DAffine3, [x, y, z, _]: [f32; 4]) -> DVec3 {
-    let point = world.transform_point3(DVec3::new(x.into(), y.into(), z.into()));
+    raised(world.transform_point3(DVec3::new(x.into(), y.into(), z.into())))
+}
+
+fn raised(point: DVec3) -> DVec3 {
     DVec3::new(point.x, -point.z, point.y)
 }
 
@@ -99,15 +103,23 @@ pub(super) struct Target<'a> {
 }
 
 impl Target<'_> {
-    /// Appends a primitive. False where it has no triangles.
-    pub fn push(&mut self, primitive: &Primitive, accessors: &Accessors, world: &DAffine3) -> Result<bool, Fault> {
+    /// Appends a primitive, which `world` takes to the world from its own space, or from that of the pose whose joints place its vertices. False where
+    /// it has no triangles.
+    pub fn push(
+        &mut self,
+        primitive: &Primitive,
+        accessors: &Accessors,
+        world: &DAffine3,
+        pose: Option<&Pose>,
+    ) -> Result<bool, Fault> {
         let position = primitive.attributes.get("POSITION").filter(|_| has_triangles(primitive));
         let Some(&position) = position else { return Ok(false) };
         let packed = primitive.extensions.draco.as_ref();
         let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
         let source = Source { accessors, packed: packed.as_ref() };
-        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, world)?;
-        self.push_triangles(primitive, &source, [first, count], world.matrix3.determinant() < 0.0)?;
+        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, (world, pose))?;
+        let is_mirrored = (world.matrix3.determinant() < 0.0) != pose.is_some_and(Pose::is_mirrored);
+        self.push_triangles(primitive, &source, [first, count], is_mirrored)?;
         self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
         Ok(true)
     }
@@ -119,12 +131,13 @@ impl Target<'_> {
         primitive: &Primitive,
         accessors: &Accessors,
         world: &DAffine3,
+        pose: Option<&Pose>,
         lines: &mut Lines,
     ) -> Result<bool, Fault> {
         let position = primitive.attributes.get("POSITION").filter(|_| primitive.mode < TRIANGLES);
         let Some(&position) = position else { return Ok(false) };
         let source = Source { accessors, packed: None };
-        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, world)?;
+        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, (world, pose))?;
         let base_color = self.mesh.materials[material].base_color;
         if material > 0 {
             self.mesh.colors.resize(first + count, Vec4::ONE);
@@ -155,7 +168,7 @@ impl Target<'_> {
         primitive: &Primitive,
         position: usize,
         source: &Source,
-        world: &DAffine3,
+        (world, pose): (&DAffine3, Option<&Pose>),
     ) -> Result<Vertices, Fault> {
         let accessors = source.accessors;
         let accessor = accessors.document.accessors.get(position);
@@ -176,8 +189,18 @@ impl Target<'_> {
                 u32::MAX
             )));
         }
-        let push = |point| self.mesh.positions.push(self.local_origin.localized(placed(world, point)));
+        let bound = pose.map(|pose| Bound::read(pose, primitive, source)).transpose()?;
+        let mut vertex = 0;
+        let push = |point: [f32; 4]| {
+            let point = match &bound {
+                Some(bound) => raised(world.transform_point3(bound.placed(vertex, point))),
+                None => placed(world, point),
+            };
+            vertex += 1;
+            self.mesh.positions.push(self.local_origin.localized(point));
+        };
         let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;
+        bound.map_or(Ok(()), |bound| check_count(bound.count(), count))?;
         if self.mesh.positions.len() as u64 > limit {
             return Err(Fault::limit("vertices", self.mesh.positions.len() as u64, limit));
         }
@@ -250,6 +273,6 @@ impl Target<'_> {
     }
 }
 
-fn check_count(read: usize, count: usize) -> Result<(), Fault> {
+pub(super) fn check_count(read: usize, count: usize) -> Result<(), Fault> {
     if read == count { Ok(()) } else { Err(Fault::malformed(format!("{read} attributes for {count} vertices"))) }
 }

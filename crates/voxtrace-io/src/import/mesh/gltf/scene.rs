@@ -5,6 +5,7 @@ use super::buffers::Buffers;
 use super::document::{Document, GltfCamera, Node, Primitive};
 use super::moving::{Carried, Movers, Parts};
 use super::primitives::{Target, has_triangles};
+use super::skins::Skins;
 use super::{Fault, animations, cameras, materials, not_shown};
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::local_origin::LocalOrigin;
@@ -29,20 +30,29 @@ pub(super) fn read(
     let accessors = Accessors { document, buffers, limits };
     let played = animations::chosen(document, &options.animation);
     let mut movers = played.map(|clip| Movers::of(clip, &accessors)).transpose()?.unwrap_or_default();
-    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, played.is_some())?;
+    let skins = Skins::of(document, limits, &movers);
+    let seen = (played.is_some(), skins.bent());
+    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, seen)?;
     let mut target =
         Target { mesh: &mut mesh, local_origin: LocalOrigin::default(), coordinate_sets: &coordinate_sets };
     let (mut skipped, mut parts) = (0, Parts::default());
-    let cameras = visit(document, limits, &mut movers, &mut |primitive, place| {
+    let Found { cameras, skinned } = visit(document, limits, &mut movers, &mut |primitive, place| {
         match place.carried {
-            Some(carried) if has_triangles(primitive) => parts.add(primitive, carried),
+            Some(carried) if has_triangles(primitive) => parts.add(primitive, carried, None),
             Some(_) => skipped += 1,
-            None => skipped += usize::from(!target.push(primitive, &accessors, &place.world)?),
+            None => skipped += usize::from(!target.push(primitive, &accessors, &place.world, None)?),
         }
         Ok(())
     })?;
+    for (primitive, carried, pose) in skins.posed(&skinned, &accessors, &movers)? {
+        match carried {
+            Some(carried) if has_triangles(primitive) => parts.add(primitive, carried, Some(pose)),
+            Some(_) => skipped += 1,
+            None => skipped += usize::from(!target.push(primitive, &accessors, &DAffine3::IDENTITY, Some(&pose))?),
+        }
+    }
     if target.mesh.triangles.is_empty() && parts.is_empty() {
-        return loose(document, &accessors, target).map(Geometry::Points);
+        return loose(&skins, &accessors, target).map(Geometry::Points);
     }
     mesh.offset = target.local_origin.offset();
     mesh.clips = animations::clips(document, &accessors);
@@ -59,11 +69,14 @@ pub(super) fn read(
 }
 
 /// Reads a document without triangles: its points, and points along its lines.
-fn loose(document: &Document, accessors: &Accessors, mut target: Target) -> Result<PointCloud, Fault> {
+fn loose(skins: &Skins, accessors: &Accessors, mut target: Target) -> Result<PointCloud, Fault> {
     let mut lines = Lines::default();
-    visit(document, accessors.limits, &mut Movers::default(), &mut |primitive, place| {
-        target.push_loose(primitive, accessors, &place.world, &mut lines).map(drop)
+    let found = visit(accessors.document, accessors.limits, &mut Movers::default(), &mut |primitive, place| {
+        target.push_loose(primitive, accessors, &place.world, None, &mut lines).map(drop)
     })?;
+    for (primitive, _, pose) in skins.posed(&found.skinned, accessors, &Movers::default())? {
+        target.push_loose(primitive, accessors, &DAffine3::IDENTITY, Some(&pose), &mut lines)?;
+    }
     let mut mesh = std::mem::replace(target.mesh, Mesh::new(""));
     if mesh.positions.is_empty() {
         return Err(Fault::unsupported("a glTF file without a triangle, a line or a point"));
@@ -81,13 +94,13 @@ pub(super) struct Looks {
     pub coordinate_sets: materials::CoordinateSets,
 }
 
-/// Reads materials and pictures; one of the animations may be played.
+/// Reads materials and pictures; one of the animations may be played, and bend so many skins.
 pub(super) fn look(
     document: &Document,
     buffers: &Buffers,
     folder: &Folder,
     limits: &Limits,
-    is_played: bool,
+    (is_played, bent_skins): (bool, u64),
 ) -> Result<Looks, Fault> {
     let mut mesh = Mesh { unit: LengthUnit::METRE, ..Mesh::new("") };
     let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
@@ -96,7 +109,7 @@ pub(super) fn look(
         mesh.materials[0].base_color = Vec4::ONE;
     }
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
-    mesh.notes.extend(not_shown::parts(document, is_played).note());
+    mesh.notes.extend(not_shown::parts(document, is_played, bent_skins).note());
     if mesh.materials.len() > 65_535 {
         let what = format!("materials: {} is more than the fixed limit of 65535", mesh.materials.len());
         return Err(Fault::unsupported(what));
@@ -128,18 +141,25 @@ pub(super) fn cameras_at(cameras: &[PlacedCamera], offset: DVec3) -> impl Iterat
     })
 }
 
-/// Calls `each` with the primitives of all nodes of the scene in turn and where they are; returns the cameras.
+/// What is found in a scene beside the primitives that nodes place.
+pub(super) struct Found<'a> {
+    pub cameras: Vec<PlacedCamera<'a>>,
+    /// Primitives that the joints of a skin place, with its number.
+    pub skinned: Vec<(&'a Primitive, usize)>,
+}
+
+/// Calls `each` with the primitives of all nodes of the scene in turn and where they are, without those that joints place.
 pub(super) fn visit<'a>(
     document: &'a Document,
     limits: &Limits,
     movers: &mut Movers,
     each: &mut dyn FnMut(&'a Primitive, &Place) -> Result<(), Fault>,
-) -> Result<Vec<PlacedCamera<'a>>, Fault> {
+) -> Result<Found<'a>, Fault> {
     let mut visited = vec![false; document.nodes.len()];
     let root = Place { world: DAffine3::IDENTITY, carried: None };
     let mut pending: Vec<(usize, Place, u32)> = roots(document)?.into_iter().map(|n| (n, root, 0)).collect();
     pending.reverse();
-    let mut found_cameras = Vec::new();
+    let mut found = Found { cameras: Vec::new(), skinned: Vec::new() };
     while let Some((index, outer, depth)) = pending.pop() {
         let node = document.nodes.get(index).ok_or_else(|| Fault::malformed(format!("node {index} is missing")))?;
         if std::mem::replace(&mut visited[index], true) {
@@ -154,14 +174,20 @@ pub(super) fn visit<'a>(
         if let Some(mesh) = node.mesh {
             let gltf_mesh = document.meshes.get(mesh);
             let gltf_mesh = gltf_mesh.ok_or_else(|| Fault::malformed(format!("mesh {mesh} is missing")))?;
-            gltf_mesh.primitives.iter().try_for_each(|primitive| each(primitive, &place))?;
+            for primitive in &gltf_mesh.primitives {
+                // A skin places vertices wherever the node is; those that name no joint have nothing else than the node.
+                match node.skin.filter(|_| primitive.attributes.contains_key("JOINTS_0")) {
+                    Some(skin) => found.skinned.push((primitive, skin)),
+                    None => each(primitive, &place)?,
+                }
+            }
         }
         if let Some(camera) = node.camera.and_then(|camera| document.cameras.get(camera)) {
-            found_cameras.push((node, camera, place));
+            found.cameras.push((node, camera, place));
         }
         pending.extend(node.children.iter().rev().map(|&child| (child, place, depth + 1)));
     }
-    Ok(found_cameras)
+    Ok(found)
 }
 
 fn roots(document: &Document) -> Result<Vec<usize>, Fault> {
@@ -178,7 +204,8 @@ fn roots(document: &Document) -> Result<Vec<usize>, Fault> {
     Ok((0..is_child.len()).filter(|&node| !is_child[node]).collect())
 }
 
-fn local(node: &Node) -> DAffine3 {
+/// From the space of a node to that of its parent, at rest.
+pub(super) fn local(node: &Node) -> DAffine3 {
     if let Some(matrix) = &node.matrix {
         let matrix = DMat4::from_cols_array(matrix);
         let axes = DMat3::from_cols(matrix.x_axis.truncate(), matrix.y_axis.truncate(), matrix.z_axis.truncate());
