@@ -176,6 +176,7 @@ fn summary(outcomes: &[Outcome]) -> String {
         counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect();
     match outcomes.len() {
         0 => "The reports have no cell in common.".into(),
+        1 => format!("Of one cell: {}.", told.join(", ")),
         all => format!("Of {all} cells: {}.", told.join(", ")),
     }
 }

@@ -311,7 +311,7 @@ fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     results["cells"][0]["disturbance"] = Value::Null;
     write("a.json", &results);
     let text = folder.succeed(&["compare", "a.json", "a.json"]);
-    assert!(text.contains("Of 1 cells: 1 equal within noise."), "{text}");
+    assert!(text.contains("Of one cell: 1 equal within noise."), "{text}");
     let ms = &mut results["cells"][0]["ms"];
     for value in ["/median", "/median_95/0", "/median_95/1"] {
         let value = ms.pointer_mut(value).unwrap();
@@ -325,7 +325,7 @@ fn a_report_is_equal_to_itself_and_slower_than_one_with_planted_times() {
     write("loud.json", &results);
     let text = folder.succeed(&["compare", "a.json", "loud.json"]);
     let why = "no verdict: the machine was not quiet (B: other programs had 50 % of the processors)";
-    assert!(text.contains(why) && text.contains("Of 1 cells: 1 no verdict."), "{text}");
+    assert!(text.contains(why) && text.contains("Of one cell: 1 no verdict."), "{text}");
     results["schema"] = 1.into();
     std::fs::write(folder.path("b.json"), results.to_string()).unwrap();
     assert!(folder.fail(&["compare", "a", "b.json"], 3).contains("schema 1"));
