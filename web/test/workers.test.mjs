@@ -49,14 +49,18 @@ const between = (page, tell, ...given) =>
     };
   }, [String(tell), given]);
 
-/** Workers of these numbers fail at their part of that number, as for want of memory. The others wait with their first part until they have, or they might do all of it. */
+/**
+ * Workers of these numbers fail at their part of that number, as for want of memory. The others wait with their first part until they have, or they might do all of it.
+ * First passes do not count: those of the coarse picture before the film are too few for all.
+ */
 const failing = (worker, message, pass, parts) => {
   worker.parts ??= 0;
-  if (message.name === "render") worker.parts += 1;
+  const counts = message.name === "render" && message.given[0].samples > 1;
+  if (counts) worker.parts += 1;
   window.failed ??= new Set();
   window.waiting ??= [];
   if (!(worker.parts >= parts[worker.number])) {
-    const waits = !(worker.number in parts) && message.name === "render" && window.failed.size < Object.keys(parts).length;
+    const waits = !(worker.number in parts) && counts && window.failed.size < Object.keys(parts).length;
     return waits ? void window.waiting.push(pass) : pass();
   }
   window.failed.add(worker.number);
