@@ -127,23 +127,19 @@ fn materials_of_others_beside_an_obj_are_not_written_over() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn an_obj_for_which_there_is_no_room_leaves_the_materials_of_the_old_one() {
+fn an_obj_and_its_materials_stay_together_where_there_is_no_room_for_one_of_them() {
     let folder = Folder::new();
-    folder.succeed(&["convert", "room.vox", "a.obj"]);
-    let old = [&folder.bytes("a.mtl")[..], b"# of the old mesh\n"].concat();
-    std::fs::write(folder.path("a.mtl"), &old).unwrap();
-    std::fs::remove_file(folder.path("a.obj")).unwrap();
-    std::os::unix::fs::symlink("/dev/full", folder.path("a.obj")).unwrap();
-    assert!(folder.fail(&["convert", "room.vox", "a.obj"], 4).contains("cannot write a.obj: no space left on device"));
-    assert_eq!(folder.bytes("a.mtl"), old);
-    // Nor the other way about; nothing is left behind.
-    folder.succeed(&["convert", "room.vox", "b.obj"]);
-    let old = [&folder.bytes("b.obj")[..], b"# old\n"].concat();
-    std::fs::write(folder.path("b.obj"), &old).unwrap();
-    std::fs::remove_file(folder.path("b.mtl")).unwrap();
-    std::os::unix::fs::symlink("/dev/full", folder.path("b.mtl")).unwrap();
-    assert!(folder.fail(&["convert", "room.vox", "b.obj"], 4).contains("cannot write b.mtl: no space left on device"));
-    assert_eq!(folder.bytes("b.obj"), old);
+    for (mesh, full, kept) in [("a.obj", "a.obj", "a.mtl"), ("b.obj", "b.mtl", "b.obj")] {
+        folder.succeed(&["convert", "room.vox", mesh]);
+        let old = [&folder.bytes(kept)[..], b"# of the old mesh\n"].concat();
+        std::fs::write(folder.path(kept), &old).unwrap();
+        std::fs::remove_file(folder.path(full)).unwrap();
+        std::os::unix::fs::symlink("/dev/full", folder.path(full)).unwrap();
+        let said = folder.fail(&["convert", "room.vox", mesh], 4);
+        assert!(said.contains(&format!("cannot write {full}: no space left on device")), "{said}");
+        assert_eq!(folder.bytes(kept), old);
+    }
+    // Nothing is left behind.
     let mut names = std::fs::read_dir(folder.path("")).unwrap().map(|entry| entry.unwrap().file_name());
     assert!(names.all(|name| !name.to_string_lossy().ends_with(".tmp")));
 }
