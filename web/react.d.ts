@@ -27,7 +27,7 @@ interface ViewerAttributes extends HTMLAttributes<VoxtraceViewer> {
   "no-drop"?: boolean;
   onload?: (event: CustomEvent) => void;
   onprogress?: (event: CustomEvent<{ totalProgress: number | undefined }>) => void;
-  onerror?: (event: CustomEvent<{ type: string; message: string }>) => void;
+  onerror?: (event: CustomEvent<{ type: string; message: string; sourceError: unknown }>) => void;
   "oncamera-change"?: (event: CustomEvent<{ source: "none" | "user-interaction"; orbit: string }>) => void;
   "ondetail-change"?: (event: CustomEvent<{ finest: number; coarsest: number; isExact: boolean }>) => void;
   "onvoxel-pick"?: (event: CustomEvent<Picked | null>) => void;

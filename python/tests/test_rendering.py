@@ -124,6 +124,23 @@ def test_ctrl_c_ends_a_long_render(church):
     assert time.monotonic() - start < 300
 
 
+def test_ctrl_c_ends_the_writing_of_a_picture_and_leaves_the_old_file(church, ctrl_c_ends, tmp_path):
+    renderer, path = voxtrace.Renderer(church, device="cpu"), tmp_path / "church.exr"
+
+    def saves():
+        for width in [2000, 4000]:
+            image = renderer.render(samples=1, size=(width, width // 2), max_bounces=0, denoise=False, aovs=True)
+
+            def save():
+                path.write_bytes(b"old")
+                image.save(path)
+
+            yield save
+
+    ctrl_c_ends(saves())
+    assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path]
+
+
 @pytest.mark.parametrize("filter", ["voxtrace", "oidn"])
 def test_ctrl_c_ends_the_removal_of_noise(church, ctrl_c_ends, filter):
     if filter == "oidn":

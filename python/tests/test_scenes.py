@@ -511,6 +511,36 @@ def test_files_that_cannot_be_read_say_where(tmp_path):
         voxtrace.open_volume(broken)
 
 
+@pytest.mark.parametrize("is_packed", [False, True])
+def test_ctrl_c_ends_the_writing_of_a_scene_and_leaves_the_old_file(ctrl_c_ends, random, tmp_path, is_packed):
+    path = tmp_path / "scene.obj"
+
+    def saves():
+        for edge in [64, 128, 192]:
+            scene = voxtrace.Scene(voxtrace.VoxelGrid.from_numpy((random.random((edge, edge, edge)) > 0.5).astype("uint8")))
+            saved = voxtrace.Scene.from_bytes(scene.to_bytes()) if is_packed else scene
+
+            def save():
+                path.write_bytes(b"old")
+                saved.save(path)
+
+            yield save
+
+    ctrl_c_ends(saves())
+    assert path.read_bytes() == b"old"
+    assert {file.suffix for file in tmp_path.iterdir()} <= {".obj", ".mtl"}, "nothing is left behind"
+
+
+def test_ctrl_c_ends_the_unpacking_of_a_scene(ctrl_c_ends):
+    def looks():
+        # Models that were merged come apart voxel by voxel.
+        for voxels in [1_000_000, 4_000_000, 16_000_000]:
+            scene = voxtrace.Scene.from_bytes(voxtrace.builtin("city", voxels=voxels).to_bytes())
+            yield lambda: scene.instances
+
+    ctrl_c_ends(looks())
+
+
 def test_built_in_scenes_have_names_and_sizes():
     assert {"church", "operating-room", "city", "forest"} <= set(voxtrace.BUILTIN_SCENES)
     forest = voxtrace.builtin("forest", instances=50)

@@ -54,6 +54,7 @@ def view(
 ) -> View:
     """Show a scene in a notebook, to be turned, cut open and picked in; `voxtrace.notebook.View` says what can be set and observed.
 
+    `samples`: of each pixel of a view that stands still. `exposure`: stops. `tone_map`: the curve to the screen. `max_bounces`: surfaces that scatter one path.
     `clip`: the lowest and the highest corner of the box that is shown, world units. `transfer`, `threshold`: of a `Volume`, as in `Volume.voxelize`.
     `height`: of the picture in the page, CSS pixels. `renderer`: `"browser"` traces in the page (WebAssembly; the scene is sent there), `"kernel"` sends pictures;
     `"auto"` chooses the browser where it can and the scene has at most 64 MiB. `device`: what the kernel traces with, as in `Renderer`.

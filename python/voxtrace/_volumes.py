@@ -24,7 +24,7 @@ def from_array(
     """A volume of an array of shape `(X, Y, Z)`, of any type of real numbers; it is kept as float32.
 
     `array`: of numpy, dask, zarr or torch (also on a GPU), or anything that numpy takes; what is masked is NaN, which is never shown, or label 0; a `DataArray` of xarray, whose even
-    coordinates say the spacing; an image of nibabel or SimpleITK, which know their place and have millimetres. `spacing`: distance between samples,
+    coordinates say the spacing; an image of nibabel or SimpleITK, which know their place and have millimetres. `spacing`: distance between samples, in `unit`,
     one number or three. `affine`: 4 × 4 or 3 × 4, from indices to the world, z up; patients as in DICOM (left, back, head). `unit`:
     `"mm"`, `"m"` or `None`. `labels`: values are labels, which are not interpolated.
 

@@ -1191,13 +1191,13 @@ fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
     return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_0;
 }
 
-fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
+fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec4<f32>
 {
     var _S106 : vec2<i32> = vec2<i32>(squares_1());
-    var _S107 : vec2<f32> = vec2<f32>(0.0f);
+    var _S107 : vec4<f32> = vec4<f32>(0.0f);
     var _S108 : i32 = at_12.y;
     var y_0 : i32 = max(_S108 - reach_1, i32(0));
-    var sum_4 : vec2<f32> = _S107;
+    var sum_4 : vec4<f32> = _S107;
     for(;;)
     {
         if(y_0 <= (min(_S108 + reach_1, _S106.y - i32(1))))
@@ -1209,7 +1209,7 @@ fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
         }
         var _S109 : i32 = at_12.x;
         var x_0 : i32 = max(_S109 - reach_1, i32(0));
-        var sum_5 : vec2<f32> = sum_4;
+        var sum_5 : vec4<f32> = sum_4;
         for(;;)
         {
             var _S110 : i32 = _S106.x;
@@ -1226,9 +1226,9 @@ fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec2<f32>
             var _S111 : vec3<f32> = now_0.xyz;
             if((sqrt(length_squared_0(_S111 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S111 - real_time_0.before_place_0)))))
             {
-                var _S112 : f32 = now_0.w;
-                var _S113 : f32 = before_1.w;
-                sum_5 = sum_5 + vec2<f32>(abs(_S112 - _S113), max(_S112, _S113));
+                var _S112 : f32 = before_1.w;
+                var _S113 : f32 = now_0.w;
+                sum_5 = sum_5 + vec4<f32>(_S112, _S113, abs(_S113 - _S112), max(_S113, _S112));
             }
             x_0 = x_0 + i32(1);
         }
@@ -1253,9 +1253,9 @@ fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
     var _S117 : i32 = i32(_S116);
     var _S118 : u32 = _S114 / _S115;
     var at_13 : vec2<i32> = vec2<i32>(_S117, i32(_S118));
-    var changes_0 : vec2<f32> = changes_around_0(at_13, i32(1));
-    var changes_1 : vec2<f32>;
-    if((changes_0.y) <= 0.0f)
+    var changes_0 : vec4<f32> = changes_around_0(at_13, i32(1));
+    var changes_1 : vec4<f32>;
+    if((changes_0.w) <= 0.0f)
     {
         changes_1 = changes_around_0(at_13, i32(4));
     }
@@ -1263,17 +1263,18 @@ fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
     {
         changes_1 = changes_0;
     }
-    var _S119 : f32 = changes_1.y;
+    var _S119 : f32 = changes_1.w;
     var share_1 : f32;
     if(_S119 > 0.0f)
     {
-        share_1 = min(changes_1.x / _S119, 1.0f);
+        share_1 = min(changes_1.z / _S119, 1.0f);
     }
     else
     {
         share_1 = 0.0f;
     }
-    memory_rows_0[place_of_square_0(u32(3), _S114)] = vec4<u32>((bitcast<u32>((share_1))), u32(0), u32(0), u32(0));
+    var _S120 : f32 = changes_1.x;
+    memory_rows_0[place_of_square_0(u32(3), _S114)] = vec4<u32>((bitcast<u32>((share_1))), (bitcast<u32>((1.0f - clamp((share_1 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S120 - changes_1.y, 0.0f) / max(_S120, 1.00000000317107685e-30f))))), u32(0), u32(0));
     return;
 }
 
@@ -1295,14 +1296,21 @@ fn doubt(@builtin(global_invocation_id) id_3 : vec3<u32>)
     {
         var index_16 : u32 = index_of_0(at_14);
         var square_2 : vec2<u32> = at_14 / vec2<u32>(u32(5));
-        var changed_0 : f32 = (bitcast<f32>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_1().x + square_2.x)].x)));
-        var _S120 : vec4<u32> = memory_row_0(u32(1), index_16);
-        var row_11 : vec4<u32> = _S120;
-        var _S121 : u32 = _S120.x;
-        var paths_0 : f32 = low_half_0(_S121);
+        var change_0 : vec2<f32> = (bitcast<vec2<f32>>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_1().x + square_2.x)].xy)));
+        var _S121 : vec4<u32> = memory_row_0(u32(1), index_16);
+        var row_11 : vec4<u32> = _S121;
+        var _S122 : u32 = _S121.x;
+        var paths_0 : f32 = low_half_0(_S122);
         var next_0 : f32 = 1.0f / (paths_0 + 1.0f);
-        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * changed_0) - 1.0f), high_half_0(_S121));
+        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * change_0.x) - 1.0f), high_half_0(_S122));
         memory_rows_0[real_time_0.pixels_0 + index_16] = row_11;
+        var _S123 : vec4<u32> = memory_row_0(u32(2), index_16);
+        var lit_0 : vec4<u32> = _S123;
+        var _S124 : vec3<u32> = (bitcast<vec3<u32>>(((bitcast<vec3<f32>>((_S123.xyz))) * vec3<f32>(change_0.y))));
+        lit_0.x = _S124.x;
+        lit_0.y = _S124.y;
+        lit_0.z = _S124.z;
+        memory_rows_0[u32(2) * real_time_0.pixels_0 + index_16] = lit_0;
     }
     return;
 }
@@ -1320,21 +1328,21 @@ struct Sample_0
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_9 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_2 : vec3<f32>,  place_2 : vec3<f32>,  instance_3 : u32) -> Sample_0
 {
-    var _S122 : Sample_0;
-    _S122.direct_0 = direct_1;
-    _S122.light_8 = light_9;
-    _S122.is_shown_0 = is_shown_1;
-    _S122.albedo_0 = albedo_1;
-    _S122.normal_1 = normal_2;
-    _S122.place_1 = place_2;
-    _S122.instance_2 = instance_3;
-    return _S122;
+    var _S125 : Sample_0;
+    _S125.direct_0 = direct_1;
+    _S125.light_8 = light_9;
+    _S125.is_shown_0 = is_shown_1;
+    _S125.albedo_0 = albedo_1;
+    _S125.normal_1 = normal_2;
+    _S125.place_1 = place_2;
+    _S125.instance_2 = instance_3;
+    return _S125;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S123 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S123, _S123, false, _S123, _S123, _S123, u32(4294967295));
+    var _S126 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S126, _S126, false, _S126, _S126, _S126, u32(4294967295));
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -1344,16 +1352,16 @@ fn has_0( flag_0 : u32) -> bool
 
 fn traces_0( at_15 : vec2<i32>) -> bool
 {
-    var _S124 : bool;
+    var _S127 : bool;
     if(!has_0(u32(128)))
     {
-        _S124 = true;
+        _S127 = true;
     }
     else
     {
-        _S124 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
+        _S127 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
     }
-    return _S124;
+    return _S127;
 }
 
 fn load_sample_0( index_17 : u32) -> Sample_0
@@ -1367,9 +1375,9 @@ fn load_sample_0( index_17 : u32) -> Sample_0
     sample_0.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_17)))), d_0.x);
     sample_0.place_1 = vec3<f32>(d_0.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_17)))));
     sample_0.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_17)))), (bitcast<f32>((g_0.x))));
-    var _S125 : u32 = g_0.y;
-    sample_0.normal_1 = normal_in_0(_S125);
-    sample_0.is_shown_0 = ((_S125 & (u32(1073741824)))) != u32(0);
+    var _S128 : u32 = g_0.y;
+    sample_0.normal_1 = normal_in_0(_S128);
+    sample_0.is_shown_0 = ((_S128 & (u32(1073741824)))) != u32(0);
     return sample_0;
 }
 
@@ -1384,39 +1392,39 @@ fn neighbour_0( which_0 : u32) -> vec2<i32>
     {
         side_0 = i32(-1);
     }
-    var _S126 : vec2<i32>;
+    var _S129 : vec2<i32>;
     if(((which_0 & (u32(1)))) != u32(0))
     {
-        _S126 = vec2<i32>(i32(0), side_0);
+        _S129 = vec2<i32>(i32(0), side_0);
     }
     else
     {
-        _S126 = vec2<i32>(side_0, i32(0));
+        _S129 = vec2<i32>(side_0, i32(0));
     }
-    return _S126;
+    return _S129;
 }
 
 fn sample_at_0( at_16 : vec2<i32>) -> Sample_0
 {
-    var _S127 : Sample_0 = no_sample_0();
+    var _S130 : Sample_0 = no_sample_0();
     if(traces_0(at_16))
     {
         return load_sample_0(index_of_0(vec2<u32>(at_16)));
     }
-    var sample_1 : Sample_0 = _S127;
+    var sample_1 : Sample_0 = _S130;
     var turn_0 : u32 = u32(0);
     for(;;)
     {
-        var _S128 : bool;
+        var _S131 : bool;
         if(turn_0 < u32(4))
         {
-            _S128 = !sample_1.is_shown_0;
+            _S131 = !sample_1.is_shown_0;
         }
         else
         {
-            _S128 = false;
+            _S131 = false;
         }
-        if(_S128)
+        if(_S131)
         {
         }
         else
@@ -1443,12 +1451,12 @@ struct Wanted_0
 
 fn Wanted_x24init_0( is_shown_3 : bool,  place_4 : vec3<f32>,  normal_4 : vec3<f32>,  tolerance_1 : f32) -> Wanted_0
 {
-    var _S129 : Wanted_0;
-    _S129.is_shown_2 = is_shown_3;
-    _S129.place_3 = place_4;
-    _S129.normal_3 = normal_4;
-    _S129.tolerance_0 = tolerance_1;
-    return _S129;
+    var _S132 : Wanted_0;
+    _S132.is_shown_2 = is_shown_3;
+    _S132.place_3 = place_4;
+    _S132.normal_3 = normal_4;
+    _S132.tolerance_0 = tolerance_1;
+    return _S132;
 }
 
 struct CameraFrame_0
@@ -1465,16 +1473,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S130 : CameraFrame_0;
-    _S130.lens_1 = lens_2;
-    _S130.eye_2 = eye_3;
-    _S130.corner_1 = corner_2;
-    _S130.pixel_x_1 = pixel_x_2;
-    _S130.pixel_y_1 = pixel_y_2;
-    _S130.lens_x_1 = lens_x_2;
-    _S130.lens_y_1 = lens_y_2;
-    _S130.blades_1 = blades_2;
-    return _S130;
+    var _S133 : CameraFrame_0;
+    _S133.lens_1 = lens_2;
+    _S133.eye_2 = eye_3;
+    _S133.corner_1 = corner_2;
+    _S133.pixel_x_1 = pixel_x_2;
+    _S133.pixel_y_1 = pixel_y_2;
+    _S133.lens_x_1 = lens_x_2;
+    _S133.lens_y_1 = lens_y_2;
+    _S133.blades_1 = blades_2;
+    return _S133;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -1489,12 +1497,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S131 : Perspective_0;
-    _S131.eye_4 = eye_5;
-    _S131.corner_3 = corner_4;
-    _S131.pixel_x_3 = pixel_x_4;
-    _S131.pixel_y_3 = pixel_y_4;
-    return _S131;
+    var _S134 : Perspective_0;
+    _S134.eye_4 = eye_5;
+    _S134.corner_3 = corner_4;
+    _S134.pixel_x_3 = pixel_x_4;
+    _S134.pixel_y_3 = pixel_y_4;
+    return _S134;
 }
 
 struct Axes_0
@@ -1506,11 +1514,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S132 : Axes_0;
-    _S132.forward_0 = forward_1;
-    _S132.right_0 = right_1;
-    _S132.up_0 = up_1;
-    return _S132;
+    var _S135 : Axes_0;
+    _S135.forward_0 = forward_1;
+    _S135.right_0 = right_1;
+    _S135.up_0 = up_1;
+    return _S135;
 }
 
 struct ThinLens_0
@@ -1523,28 +1531,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S133 : ThinLens_0;
-    _S133.perspective_0 = perspective_1;
-    _S133.lens_x_3 = lens_x_4;
-    _S133.lens_y_3 = lens_y_4;
-    _S133.blades_3 = blades_4;
-    return _S133;
+    var _S136 : ThinLens_0;
+    _S136.perspective_0 = perspective_1;
+    _S136.lens_x_3 = lens_x_4;
+    _S136.lens_y_3 = lens_y_4;
+    _S136.blades_3 = blades_4;
+    return _S136;
 }
 
 fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
     var a_2 : f32 = 2.0f * square_3.x - 1.0f;
     var b_3 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S134 : bool;
+    var _S137 : bool;
     if(a_2 == 0.0f)
     {
-        _S134 = b_3 == 0.0f;
+        _S137 = b_3 == 0.0f;
     }
     else
     {
-        _S134 = false;
+        _S137 = false;
     }
-    if(_S134)
+    if(_S137)
     {
         return vec2<f32>(0.0f);
     }
@@ -1571,7 +1579,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S135 : f32 = abs(radius_0);
+    var _S138 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -1580,7 +1588,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S135, radius_0);
+    return vec2<f32>(_S138, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1626,18 +1634,18 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_2 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S136 : f32 = from_0.y;
-    var _S137 : f32 = from_0.x;
-    return vec2<f32>(_S136 + (to_0.y - _S136) * share_2, _S137 + (to_0.x - _S137) * share_2) * vec2<f32>(radius_1);
+    var _S139 : f32 = from_0.y;
+    var _S140 : f32 = from_0.x;
+    return vec2<f32>(_S139 + (to_0.y - _S139) * share_2, _S140 + (to_0.x - _S140) * share_2) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S138 : i32 = i32(guess_1);
-    var root_0 : i32 = _S138 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S138 + root_0);
+    var _S141 : i32 = i32(guess_1);
+    var root_0 : i32 = _S141 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S141 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -1647,13 +1655,13 @@ fn square_root_0( value_3 : f32) -> f32
     {
         return sqrt(value_3);
     }
-    var _S139 : u32 = (bitcast<u32>((value_3)));
-    var exponent_2 : u32 = (_S139 >> (u32(23)));
+    var _S142 : u32 = (bitcast<u32>((value_3)));
+    var exponent_2 : u32 = (_S142 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_3);
     }
-    var mantissa_1 : u32 = (((((_S139 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S142 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1672,12 +1680,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S140 : Ray_0;
-    _S140.origin_0 = origin_1;
-    _S140.t_min_0 = t_min_1;
-    _S140.direction_0 = direction_1;
-    _S140.t_max_0 = t_max_1;
-    return _S140;
+    var _S143 : Ray_0;
+    _S143.origin_0 = origin_1;
+    _S143.t_min_0 = t_min_1;
+    _S143.direction_0 = direction_1;
+    _S143.t_max_0 = t_max_1;
+    return _S143;
 }
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
@@ -1702,12 +1710,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S141 : Orthographic_0;
-    _S141.corner_5 = corner_6;
-    _S141.pixel_x_5 = pixel_x_6;
-    _S141.pixel_y_5 = pixel_y_6;
-    _S141.forward_2 = forward_3;
-    return _S141;
+    var _S144 : Orthographic_0;
+    _S144.corner_5 = corner_6;
+    _S144.pixel_x_5 = pixel_x_6;
+    _S144.pixel_y_5 = pixel_y_6;
+    _S144.forward_2 = forward_3;
+    return _S144;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -1725,12 +1733,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S142 : Panorama_0;
-    _S142.eye_6 = eye_7;
-    _S142.axes_0 = axes_1;
-    _S142.inverse_size_0 = inverse_size_1;
-    _S142.half_eye_distance_0 = half_eye_distance_1;
-    return _S142;
+    var _S145 : Panorama_0;
+    _S145.eye_6 = eye_7;
+    _S145.axes_0 = axes_1;
+    _S145.inverse_size_0 = inverse_size_1;
+    _S145.half_eye_distance_0 = half_eye_distance_1;
+    return _S145;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -1757,9 +1765,9 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S143 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S144 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S144 - this_4.axes_0.right_0 * _S143) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S143 + this_4.axes_0.right_0 * _S144) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S146 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S147 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S147 - this_4.axes_0.right_0 * _S146) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S146 + this_4.axes_0.right_0 * _S147) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -1772,12 +1780,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S145 : Fisheye_0;
-    _S145.eye_8 = eye_9;
-    _S145.axes_2 = axes_3;
-    _S145.middle_0 = middle_1;
-    _S145.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S145;
+    var _S148 : Fisheye_0;
+    _S148.eye_8 = eye_9;
+    _S148.axes_2 = axes_3;
+    _S148.middle_0 = middle_1;
+    _S148.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S148;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -1842,26 +1850,26 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_2 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S146 : Lit_0;
-    _S146.paths_1 = paths_2;
-    _S146.light_10 = light_11;
-    _S146.shaded_1 = shaded_2;
-    _S146.moments_0 = moments_1;
-    return _S146;
+    var _S149 : Lit_0;
+    _S149.paths_1 = paths_2;
+    _S149.light_10 = light_11;
+    _S149.shaded_1 = shaded_2;
+    _S149.moments_0 = moments_1;
+    return _S149;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S147 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S147, _S147, _S147);
+    var _S150 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S150, _S150, _S150);
 }
 
 fn cubic_weights_0( t_0 : f32) -> vec4<f32>
 {
     var tt_0 : f32 = t_0 * t_0;
     var ttt_0 : f32 = tt_0 * t_0;
-    var _S148 : f32 = 3.0f * ttt_0;
-    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S148 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S148 + t_0, ttt_0 - tt_0);
+    var _S151 : f32 = 3.0f * ttt_0;
+    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S151 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S151 + t_0, ttt_0 - tt_0);
 }
 
 fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
@@ -1872,29 +1880,29 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     {
         return (low_half_0(word_3)) < 0.44600000977516174f;
     }
-    var _S149 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S149);
+    var _S152 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S152);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_3));
     var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_3));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S150 : bool;
-    if(((_S149 & (u32(1073741824)))) != u32(0))
+    var _S153 : bool;
+    if(((_S152 & (u32(1073741824)))) != u32(0))
     {
-        _S150 = distance_1 <= tolerance_2;
+        _S153 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S150 = false;
+        _S153 = false;
     }
-    if(_S150)
+    if(_S153)
     {
-        _S150 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S153 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S150 = false;
+        _S153 = false;
     }
-    return _S150;
+    return _S153;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -1904,16 +1912,16 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S151 : u32;
+    var _S154 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S151 = index_19;
+        _S154 = index_19;
     }
     else
     {
-        _S151 = real_time_0.pixels_0;
+        _S154 = real_time_0.pixels_0;
     }
-    return _S151;
+    return _S154;
 }
 
 fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
@@ -1925,13 +1933,13 @@ fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S152 : u32 = words_2.x;
-    var _S153 : u32 = words_2.y;
-    var _S154 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S152), high_half_0(_S152), low_half_0(_S153)), vec3<f32>(0.0f));
-    var lit_0 : Lit_0 = _S154;
-    var _S155 : u32 = words_2.z;
-    lit_0.moments_0 = Lit_products_0(_S154, lit_0.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S153), low_half_0(_S155), high_half_0(_S155)));
-    return lit_0;
+    var _S155 : u32 = words_2.x;
+    var _S156 : u32 = words_2.y;
+    var _S157 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S155), high_half_0(_S155), low_half_0(_S156)), vec3<f32>(0.0f));
+    var lit_1 : Lit_0 = _S157;
+    var _S158 : u32 = words_2.z;
+    lit_1.moments_0 = Lit_products_0(_S157, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S156), low_half_0(_S158), high_half_0(_S158)));
+    return lit_1;
 }
 
 fn load_lit_0( index_20 : u32) -> Lit_0
@@ -1941,13 +1949,13 @@ fn load_lit_0( index_20 : u32) -> Lit_0
     return lit_of_0(low_half_0(shaded_3.x), (bitcast<vec3<f32>>((light_13.xyz))), vec3<u32>(shaded_3.z, shaded_3.w, light_13.w));
 }
 
-fn add_weighed_0( sum_6 : ptr<function, Lit_0>,  lit_1 : Lit_0,  weight_5 : f32)
+fn add_weighed_0( sum_6 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
 {
-    (*sum_6).paths_1 = (*sum_6).paths_1 + lit_1.paths_1 * weight_5;
-    var _S156 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_6).light_10 = (*sum_6).light_10 + lit_1.light_10 * _S156;
-    (*sum_6).shaded_1 = (*sum_6).shaded_1 + lit_1.shaded_1 * _S156;
-    (*sum_6).moments_0 = (*sum_6).moments_0 + lit_1.moments_0 * _S156;
+    (*sum_6).paths_1 = (*sum_6).paths_1 + lit_2.paths_1 * weight_5;
+    var _S159 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_6).light_10 = (*sum_6).light_10 + lit_2.light_10 * _S159;
+    (*sum_6).shaded_1 = (*sum_6).shaded_1 + lit_2.shaded_1 * _S159;
+    (*sum_6).moments_0 = (*sum_6).moments_0 + lit_2.moments_0 * _S159;
     return;
 }
 
@@ -1956,52 +1964,52 @@ fn min_element_0( vector_2 : vec3<f32>) -> f32
     return min(min(vector_2.x, vector_2.y), vector_2.z);
 }
 
-fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  lit_2 : ptr<function, Lit_0>) -> bool
+fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  lit_3 : ptr<function, Lit_0>) -> bool
 {
-    (*lit_2) = not_lit_0();
-    var _S157 : vec4<f32> = cubic_weights_0(share_3.x);
-    var _S158 : vec4<f32> = cubic_weights_0(share_3.y);
+    (*lit_3) = not_lit_0();
+    var _S160 : vec4<f32> = cubic_weights_0(share_3.x);
+    var _S161 : vec4<f32> = cubic_weights_0(share_3.y);
     var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
     var is_whole_0 : bool = true;
     var least_1 : f32 = INFINITY_0;
     var place_6 : i32 = i32(0);
     for(;;)
     {
-        var _S159 : bool;
+        var _S162 : bool;
         if(place_6 < i32(16))
         {
-            _S159 = is_whole_0;
+            _S162 = is_whole_0;
         }
         else
         {
-            _S159 = false;
+            _S162 = false;
         }
-        if(_S159)
+        if(_S162)
         {
         }
         else
         {
             break;
         }
-        var _S160 : i32 = (place_6 & (i32(3)));
-        var _S161 : i32 = (place_6 >> (u32(2)));
-        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + vec2<i32>(_S160, _S161) - vec2<i32>(i32(1)));
+        var _S163 : i32 = (place_6 & (i32(3)));
+        var _S164 : i32 = (place_6 >> (u32(2)));
+        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + vec2<i32>(_S163, _S164) - vec2<i32>(i32(1)));
         var is_whole_1 : bool = index_21 != (real_time_0.pixels_0);
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_2)), other_8, _S157[_S160] * _S158[_S161]);
+            add_weighed_0(&((*lit_3)), other_8, _S160[_S163] * _S161[_S164]);
             least_1 = min(least_1, other_8.paths_1);
         }
-        var _S162 : i32 = place_6 + i32(1);
+        var _S165 : i32 = place_6 + i32(1);
         is_whole_0 = is_whole_1;
-        place_6 = _S162;
+        place_6 = _S165;
     }
-    (*lit_2).paths_1 = max((*lit_2).paths_1, least_1);
-    var _S163 : f32 = min(min(min_element_0((*lit_2).light_10), min_element_0((*lit_2).shaded_1)), min_element_0((*lit_2).moments_0));
+    (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
+    var _S166 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S163 >= 0.0f;
+        is_whole_0 = _S166 >= 0.0f;
     }
     else
     {
@@ -2010,9 +2018,9 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  l
     return is_whole_0;
 }
 
-fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f32>,  lit_3 : ptr<function, Lit_0>) -> bool
+fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f32>,  lit_4 : ptr<function, Lit_0>) -> bool
 {
-    (*lit_3) = not_lit_0();
+    (*lit_4) = not_lit_0();
     var place_7 : u32 = u32(0);
     var weights_15 : f32 = 0.0f;
     for(;;)
@@ -2024,41 +2032,41 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f3
         {
             break;
         }
-        var _S164 : i32 = i32((place_7 & (u32(1))));
-        var _S165 : i32 = i32((place_7 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_8 + vec2<i32>(_S164, _S165));
+        var _S167 : i32 = i32((place_7 & (u32(1))));
+        var _S168 : i32 = i32((place_7 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_8 + vec2<i32>(_S167, _S168));
         if(index_22 != (real_time_0.pixels_0))
         {
-            var _S166 : f32;
-            if(_S164 == i32(0))
+            var _S169 : f32;
+            if(_S167 == i32(0))
             {
-                _S166 = 1.0f - share_4.x;
+                _S169 = 1.0f - share_4.x;
             }
             else
             {
-                _S166 = share_4.x;
+                _S169 = share_4.x;
             }
-            var _S167 : f32;
-            if(_S165 == i32(0))
+            var _S170 : f32;
+            if(_S168 == i32(0))
             {
-                _S167 = 1.0f - share_4.y;
+                _S170 = 1.0f - share_4.y;
             }
             else
             {
-                _S167 = share_4.y;
+                _S170 = share_4.y;
             }
-            var weight_6 : f32 = _S166 * _S167;
-            add_weighed_0(&((*lit_3)), load_lit_0(index_22), weight_6);
+            var weight_6 : f32 = _S169 * _S170;
+            add_weighed_0(&((*lit_4)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
         place_7 = place_7 + u32(1);
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
-    (*lit_3).paths_1 = (*lit_3).paths_1 * scale_1;
-    var _S168 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_3).light_10 = (*lit_3).light_10 * _S168;
-    (*lit_3).shaded_1 = (*lit_3).shaded_1 * _S168;
-    (*lit_3).moments_0 = (*lit_3).moments_0 * _S168;
+    (*lit_4).paths_1 = (*lit_4).paths_1 * scale_1;
+    var _S171 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_4).light_10 = (*lit_4).light_10 * _S171;
+    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S171;
+    (*lit_4).moments_0 = (*lit_4).moments_0 * _S171;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2080,16 +2088,16 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S169 : bool;
+        var _S172 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S169 = distance_2 < (least_2 - 0.00100000004749745f);
+            _S172 = distance_2 < (least_2 - 0.00100000004749745f);
         }
         else
         {
-            _S169 = false;
+            _S172 = false;
         }
-        if(_S169)
+        if(_S172)
         {
             least_2 = distance_2;
             best_0 = index_23;
@@ -2118,16 +2126,16 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     }
     var distance_3 : f32 = sqrt(length_squared_0(sample_2.place_1 - real_time_0.eye_0));
     var pixel_width_0 : f32 = real_time_0.view_angle_0 / f32(params_0.height_0);
-    var _S170 : f32;
+    var _S173 : f32;
     if(sample_2.is_shown_0)
     {
-        _S170 = pixel_width_0 * distance_3;
+        _S173 = pixel_width_0 * distance_3;
     }
     else
     {
-        _S170 = 0.0f;
+        _S173 = 0.0f;
     }
-    wanted_5.tolerance_0 = 1.5f + _S170;
+    wanted_5.tolerance_0 = 1.5f + _S173;
     var is_seen_0 : bool;
     if(sample_2.is_shown_0)
     {
@@ -2142,33 +2150,33 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
         var row_12 : u32 = u32(3) * sample_2.instance_2;
         var place_9 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_2.normal_1, 0.0f);
-        var _S171 : u32 = row_12 + u32(1);
-        var _S172 : u32 = row_12 + u32(2);
-        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_9), dot(motions_1[_S171], place_9), dot(motions_1[_S172], place_9));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S171], normal_6), dot(motions_1[_S172], normal_6));
+        var _S174 : u32 = row_12 + u32(1);
+        var _S175 : u32 = row_12 + u32(2);
+        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_9), dot(motions_1[_S174], place_9), dot(motions_1[_S175], place_9));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S174], normal_6), dot(motions_1[_S175], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
     }
     var way_1 : vec3<f32> = wanted_5.place_3 - real_time_0.before_origin_0;
-    var _S173 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var _S176 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S174 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S177 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S173 > 9.99999997475242708e-07f;
+            is_seen_0 = _S176 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S174 / vec2<f32>(max(_S173, 9.99999997475242708e-07f));
+        at_19 = _S177 / vec2<f32>(max(_S176, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S174;
+        at_19 = _S177;
     }
     if(!is_seen_0)
     {
@@ -2182,20 +2190,20 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     {
         return not_lit_0();
     }
-    var _S175 : vec2<f32> = at_19 - vec2<f32>(0.5f);
-    var corner_9 : vec2<f32> = floor(_S175);
-    var share_5 : vec2<f32> = _S175 - corner_9;
-    var _S176 : vec2<i32> = vec2<i32>(corner_9);
-    var lit_4 : Lit_0;
-    var _S177 : bool = cubic_0(wanted_5, _S176, share_5, &(lit_4));
-    if(_S177)
+    var _S178 : vec2<f32> = at_19 - vec2<f32>(0.5f);
+    var corner_9 : vec2<f32> = floor(_S178);
+    var share_5 : vec2<f32> = _S178 - corner_9;
+    var _S179 : vec2<i32> = vec2<i32>(corner_9);
+    var lit_5 : Lit_0;
+    var _S180 : bool = cubic_0(wanted_5, _S179, share_5, &(lit_5));
+    if(_S180)
     {
-        return lit_4;
+        return lit_5;
     }
-    var _S178 : bool = linear_mean_0(wanted_5, _S176, share_5, &(lit_4));
-    if(_S178)
+    var _S181 : bool = linear_mean_0(wanted_5, _S179, share_5, &(lit_5));
+    if(_S181)
     {
-        return lit_4;
+        return lit_5;
     }
     return nearest_0(wanted_5, at_19);
 }
@@ -2203,22 +2211,22 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S179 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_9.moments_0 / max(products_0, _S179) - vec3<f32>(1.0f), products_0 > _S179);
+    var _S182 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), this_9.moments_0 / max(products_0, _S182) - vec3<f32>(1.0f), products_0 > _S182);
 }
 
-fn words_of_0( lit_5 : Lit_0) -> vec3<u32>
+fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
 {
-    var first_1 : u32 = halves_0(lit_5.shaded_1.x, lit_5.shaded_1.y);
-    var last_0 : f32 = low_half_0(halves_0(lit_5.shaded_1.z, 0.0f));
-    var beyond_0 : vec3<f32> = Lit_beyond_0(lit_5, vec3<f32>(low_half_0(first_1), high_half_0(first_1), last_0));
+    var first_1 : u32 = halves_0(lit_6.shaded_1.x, lit_6.shaded_1.y);
+    var last_0 : f32 = low_half_0(halves_0(lit_6.shaded_1.z, 0.0f));
+    var beyond_0 : vec3<f32> = Lit_beyond_0(lit_6, vec3<f32>(low_half_0(first_1), high_half_0(first_1), last_0));
     return vec3<u32>(first_1, halves_0(last_0, beyond_0.x), halves_0(beyond_0.y, beyond_0.z));
 }
 
-fn store_known_0( index_24 : u32,  lit_6 : Lit_0)
+fn store_known_0( index_24 : u32,  lit_7 : Lit_0)
 {
-    var words_3 : vec3<u32> = words_of_0(lit_6);
-    set_scratch_row_0(u32(7), index_24, vec2<u32>(halves_0(lit_6.light_10.x, lit_6.light_10.y), halves_0(lit_6.light_10.z, lit_6.paths_1)));
+    var words_3 : vec3<u32> = words_of_0(lit_7);
+    set_scratch_row_0(u32(7), index_24, vec2<u32>(halves_0(lit_7.light_10.x, lit_7.light_10.y), halves_0(lit_7.light_10.z, lit_7.paths_1)));
     set_scratch_row_0(u32(8), index_24, words_3.xy);
     set_scratch_row_0(u32(9), index_24, vec2<u32>(words_3.z, u32(0)));
     return;
@@ -2229,17 +2237,17 @@ fn store_known_0( index_24 : u32,  lit_6 : Lit_0)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_20 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S180 : vec2<i32> = vec2<i32>(at_20);
-    if(is_inside_0(_S180))
+    var _S183 : vec2<i32> = vec2<i32>(at_20);
+    if(is_inside_0(_S183))
     {
-        store_known_0(index_of_0(at_20), lit_before_0(sample_at_0(_S180), at_20));
+        store_known_0(index_of_0(at_20), lit_before_0(sample_at_0(_S183), at_20));
     }
     return;
 }
 
 struct Memory_0
 {
-     lit_7 : Lit_0,
+     lit_8 : Lit_0,
      looks_0 : f32,
      direct_2 : vec3<f32>,
      albedo_2 : vec3<f32>,
@@ -2249,24 +2257,24 @@ struct Memory_0
      coverage_0 : f32,
 };
 
-fn Memory_x24init_0( lit_8 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_11 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32) -> Memory_0
+fn Memory_x24init_0( lit_9 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_11 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S181 : Memory_0;
-    _S181.lit_7 = lit_8;
-    _S181.looks_0 = looks_1;
-    _S181.direct_2 = direct_3;
-    _S181.albedo_2 = albedo_3;
-    _S181.normal_7 = normal_8;
-    _S181.place_10 = place_11;
-    _S181.roughness_0 = roughness_1;
-    _S181.coverage_0 = coverage_1;
-    return _S181;
+    var _S184 : Memory_0;
+    _S184.lit_8 = lit_9;
+    _S184.looks_0 = looks_1;
+    _S184.direct_2 = direct_3;
+    _S184.albedo_2 = albedo_3;
+    _S184.normal_7 = normal_8;
+    _S184.place_10 = place_11;
+    _S184.roughness_0 = roughness_1;
+    _S184.coverage_0 = coverage_1;
+    return _S184;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S182 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S182, _S182, _S182, _S182, 0.0f, 0.0f);
+    var _S185 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S185, _S185, _S185, _S185, 0.0f, 0.0f);
 }
 
 fn load_memory_0( index_25 : u32) -> Memory_0
@@ -2275,18 +2283,18 @@ fn load_memory_0( index_25 : u32) -> Memory_0
     var shaded_4 : vec4<u32> = memory_row_0(u32(1), index_25);
     var seen_0 : vec4<u32> = memory_row_0(u32(3), index_25);
     var memory_0 : Memory_0;
-    memory_0.lit_7 = load_lit_0(index_25);
+    memory_0.lit_8 = load_lit_0(index_25);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S183 : u32 = seen_0.x;
-    var _S184 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S183), high_half_0(_S183), low_half_0(_S184));
-    var _S185 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S184), low_half_0(_S185), high_half_0(_S185));
+    var _S186 : u32 = seen_0.x;
+    var _S187 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S186), high_half_0(_S186), low_half_0(_S187));
+    var _S188 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S187), low_half_0(_S188), high_half_0(_S188));
     memory_0.normal_7 = normal_in_0(surface_3.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S186 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S186);
-    memory_0.coverage_0 = low_half_0(_S186);
+    var _S189 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S189);
+    memory_0.coverage_0 = low_half_0(_S189);
     return memory_0;
 }
 
@@ -2301,9 +2309,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_26 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_26);
-    var _S187 : u32 = light_14.y;
-    var _S188 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S187), vec3<f32>(low_half_0(_S188), high_half_0(_S188), low_half_0(_S187)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
+    var _S190 : u32 = light_14.y;
+    var _S191 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S190), vec3<f32>(low_half_0(_S191), high_half_0(_S191), low_half_0(_S190)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
 }
 
 fn memory_before_0( index_27 : u32) -> Memory_0
@@ -2322,18 +2330,18 @@ fn memory_before_0( index_27 : u32) -> Memory_0
         }
         return memory_1;
     }
-    memory_1.lit_7 = load_known_0(index_27);
+    memory_1.lit_8 = load_known_0(index_27);
     return memory_1;
 }
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 {
-    var _S189 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S189;
-    var share_6 : f32 = 1.0f / _S189;
-    var _S190 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S190;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S190;
+    var _S192 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S192;
+    var share_6 : f32 = 1.0f / _S192;
+    var _S193 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S193;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S193;
     if(!sample_3.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2343,9 +2351,9 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_10;
-    var _S191 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S191;
-    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S191;
+    var _S194 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S194;
+    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S194;
     if(covered_0 > 1.0f)
     {
         var along_0 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
@@ -2356,49 +2364,49 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S192 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S192;
+    var _S195 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S195;
     var l_1 : f32 = luminance_0(found_1);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S193 : vec3<f32> = vec3<f32>((1.0f / _S192));
-    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S193;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S193;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S193;
+    var _S196 : vec3<f32> = vec3<f32>((1.0f / _S195));
+    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S196;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S196;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S196;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_4);
-    var _S194 : Lit_0 = (*this_13).lit_7;
-    Lit_add_0(&(_S194), sample_4.light_8, sample_4.albedo_0, most_1);
-    (*this_13).lit_7 = _S194;
+    var _S197 : Lit_0 = (*this_13).lit_8;
+    Lit_add_0(&(_S197), sample_4.light_8, sample_4.albedo_0, most_1);
+    (*this_13).lit_8 = _S197;
     return;
 }
 
 fn packed_normal_0( normal_9 : vec3<f32>) -> u32
 {
-    var _S195 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S195.x) & (u32(1023)))) | (((((u32(_S195.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S195.z) & (u32(1023)))) << (u32(20))))));
+    var _S198 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S198.x) & (u32(1023)))) | (((((u32(_S198.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S198.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
-    var words_4 : vec3<u32> = words_of_0(memory_2.lit_7);
-    var _S196 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S197 : u32;
+    var words_4 : vec3<u32> = words_of_0(memory_2.lit_8);
+    var _S199 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S200 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S197 = u32(1073741824);
+        _S200 = u32(1073741824);
     }
     else
     {
-        _S197 = u32(0);
+        _S200 = u32(0);
     }
-    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S196 | (_S197)));
-    memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_7.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_7.light_10))), words_4.z);
+    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S199 | (_S200)));
+    memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_8.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_8.light_10))), words_4.z);
     memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
     return;
 }
@@ -2408,30 +2416,30 @@ fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S198 : vec2<i32> = vec2<i32>(at_21);
-    var _S199 : bool;
-    if(is_inside_0(_S198))
+    var _S201 : vec2<i32> = vec2<i32>(at_21);
+    var _S202 : bool;
+    if(is_inside_0(_S201))
     {
-        _S199 = !traces_0(_S198);
+        _S202 = !traces_0(_S201);
     }
     else
     {
-        _S199 = false;
+        _S202 = false;
     }
-    if(_S199)
+    if(_S202)
     {
         var index_29 : u32 = index_of_0(at_21);
         var memory_3 : Memory_0 = memory_before_0(index_29);
-        var is_lit_0 : bool = (memory_3.lit_7.paths_1) > 0.0f;
+        var is_lit_0 : bool = (memory_3.lit_8.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S199 = true;
+            _S202 = true;
         }
         else
         {
-            _S199 = !has_0(u32(8));
+            _S202 = !has_0(u32(8));
         }
-        if(_S199)
+        if(_S202)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2443,7 +2451,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S198 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S201 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2520,10 +2528,10 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_30 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_30);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
-            var _S200 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S200 * light_15;
+            var _S203 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S203 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_9 = sum_9 + _S200;
+            sum_9 = sum_9 + _S203;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2540,14 +2548,14 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
 fn begin_filter_0( at_23 : vec2<i32>)
 {
     var index_31 : u32 = index_of_0(vec2<u32>(at_23));
-    var lit_9 : Lit_0 = load_lit_0(index_31);
-    var color_17 : vec3<f32> = Lit_irradiance_0(lit_9);
-    var own_6 : f32 = Lit_variance_0(lit_9);
+    var lit_10 : Lit_0 = load_lit_0(index_31);
+    var color_17 : vec3<f32> = Lit_irradiance_0(lit_10);
+    var own_6 : f32 = Lit_variance_0(lit_10);
     var own_7 : f32;
-    if((lit_9.paths_1) < 3.5f)
+    if((lit_10.paths_1) < 3.5f)
     {
         var around_0 : f32 = variance_around_0(at_23, center_of_0(index_31));
-        if((lit_9.paths_1) < 1.5f)
+        if((lit_10.paths_1) < 1.5f)
         {
             own_7 = around_0;
         }
@@ -2569,21 +2577,21 @@ fn begin_filter_0( at_23 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S201 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S202 : vec2<i32> = vec2<i32>(_S201);
-    if(is_inside_0(_S202))
+    var _S204 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S205 : vec2<i32> = vec2<i32>(_S204);
+    if(is_inside_0(_S205))
     {
-        begin_filter_0(_S202);
+        begin_filter_0(_S205);
     }
     return;
 }
 
 fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 {
-    var _S203 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_24)));
-    var _S204 : vec2<f32> = vec2<f32>(0.0f);
+    var _S206 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_24)));
+    var _S207 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_10 : vec2<f32> = _S204;
+    var sum_10 : vec2<f32> = _S207;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2606,15 +2614,15 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
             {
                 break;
             }
-            var _S205 : vec2<i32> = vec2<i32>(dx_8, dy_8);
-            var other_10 : vec2<i32> = at_24 + _S205 * vec2<i32>(step_3);
+            var _S208 : vec2<i32> = vec2<i32>(dx_8, dy_8);
+            var other_10 : vec2<i32> = at_24 + _S208 * vec2<i32>(step_3);
             if(!is_inside_0(other_10))
             {
                 dx_8 = dx_8 + i32(1);
                 continue;
             }
             var index_32 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = spline_0(_S205) * Center_alike_0(_S203, index_32);
+            var weight_8 : f32 = spline_0(_S208) * Center_alike_0(_S206, index_32);
             var weights_21 : f32 = weights_20 + weight_8;
             sum_11 = sum_11 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
             weights_20 = weights_21;
@@ -2640,11 +2648,11 @@ fn compare_around_0( at_25 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S206 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S207 : vec2<i32> = vec2<i32>(_S206);
-    if(is_inside_0(_S207))
+    var _S209 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S210 : vec2<i32> = vec2<i32>(_S209);
+    if(is_inside_0(_S210))
     {
-        compare_around_0(_S207);
+        compare_around_0(_S210);
     }
     return;
 }
@@ -2656,9 +2664,9 @@ fn estimate_noise_0( at_26 : vec2<i32>)
     var color_18 : vec4<f32> = color_in_0(u32(0), index_34);
     color_18[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_26, i32(2)).x));
     set_color_0(u32(0), index_34, color_18);
-    var _S208 : vec2<f32> = vec2<f32>(0.0f);
+    var _S211 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_12 : vec2<f32> = _S208;
+    var sum_12 : vec2<f32> = _S211;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2689,11 +2697,11 @@ fn estimate_noise_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S209 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S210 : vec2<i32> = vec2<i32>(_S209);
-    if(is_inside_0(_S210))
+    var _S212 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S213 : vec2<i32> = vec2<i32>(_S212);
+    if(is_inside_0(_S213))
     {
-        estimate_noise_0(_S210);
+        estimate_noise_0(_S213);
     }
     return;
 }
@@ -2711,11 +2719,11 @@ fn set_tolerance_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S211 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S212 : vec2<i32> = vec2<i32>(_S211);
-    if(is_inside_0(_S212))
+    var _S214 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S215 : vec2<i32> = vec2<i32>(_S214);
+    if(is_inside_0(_S215))
     {
-        set_tolerance_0(_S212);
+        set_tolerance_0(_S215);
     }
     return;
 }
@@ -2724,11 +2732,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S213 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S214 : vec2<i32> = vec2<i32>(_S213);
-    if(is_inside_0(_S214))
+    var _S216 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S217 : vec2<i32> = vec2<i32>(_S216);
+    if(is_inside_0(_S217))
     {
-        smooth_light_4(_S214);
+        smooth_light_4(_S217);
     }
     return;
 }
@@ -2737,11 +2745,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S215 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S216 : vec2<i32> = vec2<i32>(_S215);
-    if(is_inside_0(_S216))
+    var _S218 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S219 : vec2<i32> = vec2<i32>(_S218);
+    if(is_inside_0(_S219))
     {
-        smooth_light_3(_S216);
+        smooth_light_3(_S219);
     }
     return;
 }
@@ -2750,11 +2758,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S217 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S218 : vec2<i32> = vec2<i32>(_S217);
-    if(is_inside_0(_S218))
+    var _S220 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S221 : vec2<i32> = vec2<i32>(_S220);
+    if(is_inside_0(_S221))
     {
-        smooth_light_2(_S218);
+        smooth_light_2(_S221);
     }
     return;
 }
@@ -2763,11 +2771,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S219 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S220 : vec2<i32> = vec2<i32>(_S219);
-    if(is_inside_0(_S220))
+    var _S222 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S223 : vec2<i32> = vec2<i32>(_S222);
+    if(is_inside_0(_S223))
     {
-        smooth_light_1(_S220);
+        smooth_light_1(_S223);
     }
     return;
 }
@@ -2776,11 +2784,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S221 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S222 : vec2<i32> = vec2<i32>(_S221);
-    if(is_inside_0(_S222))
+    var _S224 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S225 : vec2<i32> = vec2<i32>(_S224);
+    if(is_inside_0(_S225))
     {
-        smooth_light_0(_S222);
+        smooth_light_0(_S225);
     }
     return;
 }
@@ -2789,11 +2797,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S223 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S224 : vec2<i32> = vec2<i32>(_S223);
-    if(is_inside_0(_S224))
+    var _S226 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S227 : vec2<i32> = vec2<i32>(_S226);
+    if(is_inside_0(_S227))
     {
-        end_levels_0(_S224);
+        end_levels_0(_S227);
     }
     return;
 }
@@ -2802,11 +2810,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S225 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S226 : vec2<i32> = vec2<i32>(_S225);
-    if(is_inside_0(_S226))
+    var _S228 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S229 : vec2<i32> = vec2<i32>(_S228);
+    if(is_inside_0(_S229))
     {
-        compare_across_0(_S226);
+        compare_across_0(_S229);
     }
     return;
 }
@@ -2819,7 +2827,7 @@ fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
     {
         return max(memory_4.direct_2 + shown_1, vec3<f32>(0.0f));
     }
-    return memory_4.direct_2 + memory_4.lit_7.light_10;
+    return memory_4.direct_2 + memory_4.lit_8.light_10;
 }
 
 fn half_of_0( value_4 : f32) -> u32
@@ -2850,18 +2858,18 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S227 : u32 = id_17.x;
-    var _S228 : vec2<u32> = pixel_of_thread_0(_S227);
-    var _S229 : vec2<i32> = vec2<i32>(_S228);
-    if(is_inside_0(_S229))
+    var _S230 : u32 = id_17.x;
+    var _S231 : vec2<u32> = pixel_of_thread_0(_S230);
+    var _S232 : vec2<i32> = vec2<i32>(_S231);
+    if(is_inside_0(_S232))
     {
-        var index_36 : u32 = index_of_0(vec2<u32>(_S229));
+        var index_36 : u32 = index_of_0(vec2<u32>(_S232));
         var memory_5 : Memory_0 = load_memory_0(index_36);
-        var light_16 : vec3<f32> = Lit_irradiance_0(memory_5.lit_7);
+        var light_16 : vec3<f32> = Lit_irradiance_0(memory_5.lit_8);
         var light_17 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            light_17 = trusted_light_0(_S229, light_16);
+            light_17 = trusted_light_0(_S232, light_16);
         }
         else
         {
@@ -2872,11 +2880,11 @@ fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local
     }
     if(thread_1 == u32(0))
     {
-        if(_S227 == u32(0))
+        if(_S230 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S230 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S233 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

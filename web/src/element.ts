@@ -4,12 +4,12 @@ import { listen, listenToPresses } from "./gestures.js";
 import { cameraOf, lookOf, type Orbit, orbitText, orbitWords, panned, parseBox, parseFieldOfView, parseOrbit, parseTarget, type Vector, type View, viewOf, within } from "./orbit.js";
 import { type Files, Pool } from "./pool.js";
 import type { Picked, SceneInfo, Source } from "./protocol.js";
-import type { Look, Picture, Rendering } from "./rendering.js";
+import { type Look, type Picture, type Rendering, sizeOf } from "./rendering.js";
 import { isStreamed } from "./layout.js";
 import { builtIn, download, fileName } from "./source.js";
 import { Stage } from "./stage.js";
 import { type FromStreamer, Streaming } from "./streaming.js";
-import { build, type Parts, showProgress } from "./template.js";
+import { build, dress, type Parts, showProgress, windowOf } from "./template.js";
 import { ClosedError, TracerError } from "./tracer.js";
 
 /** What a pixel of a drag turns by, degrees. */
@@ -59,6 +59,7 @@ export class VoxtraceViewer extends Attributes {
   #streaming: Streaming | undefined;
   #isArriving = false;
   #life: AbortController | undefined;
+  #observers: (ResizeObserver | IntersectionObserver)[] = [];
   #isVisible = true;
   #isPosterGone = false;
   #isTurning = true;
@@ -106,26 +107,42 @@ export class VoxtraceViewer extends Attributes {
     listen(this.#parts.canvas, moves, () => this.cameraControls && !!this.#view, signal);
     listenToPresses(this.#parts.canvas, (x, y) => void this.#press(x, y), signal);
     this.#listenToDrops(signal);
-    const size = new ResizeObserver(() => this.#refresh());
-    size.observe(this);
-    // A lazy one is not seen until that is known. Of several changes the last one holds.
+    // A lazy one is not seen until that is known.
     this.#isVisible = this.loading !== "lazy";
-    const visible = new IntersectionObserver((entries) => this.#seen(entries.at(-1)!.isIntersecting), { rootMargin: "100px" });
-    visible.observe(this);
-    signal.addEventListener("abort", () => {
-      size.disconnect();
-      visible.disconnect();
-    });
+    this.#observe();
+    signal.addEventListener("abort", () => this.#unobserve());
     // Attributes that it had before, or got while it was no part of a page.
     void this.#stage.setLook(this.#look());
     this.#describe();
-    this.#turnOn(signal);
     if (this.loading !== "lazy") this.#reload();
   }
 
   disconnectedCallback() {
     // An element that is moved is out of the page for a moment.
     queueMicrotask(() => this.isConnected || this.#free());
+  }
+
+  /** Another document, as that of a window for picture-in-picture, takes no style of this one, and is seen when this one is not. */
+  adoptedCallback() {
+    dress(this.shadowRoot!);
+    // A window that was closed shows no frame that is waited for.
+    this.#stage.stop();
+    if (this.isConnected) this.#observe();
+  }
+
+  /** Hears of its size, of whether it is seen and of frames, from the window that shows it. */
+  #observe() {
+    this.#unobserve();
+    const view = windowOf(this);
+    // Of several changes the last one holds.
+    const visible = new view.IntersectionObserver((entries) => this.#seen(entries.at(-1)!.isIntersecting), { rootMargin: "100px" });
+    this.#observers = [new view.ResizeObserver(() => this.#refresh()), visible];
+    for (const observer of this.#observers) observer.observe(this);
+    this.#turnOn(view, this.#observers);
+  }
+
+  #unobserve() {
+    for (const observer of this.#observers.splice(0)) observer.disconnect();
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null) {
@@ -386,12 +403,9 @@ export class VoxtraceViewer extends Attributes {
     return true;
   }
 
-  /** The size of pictures: as many pixels as the screen has there, up to the most that are allowed. */
   #size() {
-    const ratio = globalThis.devicePixelRatio || 1;
-    const [width, height] = [Math.max(1, this.clientWidth * ratio), Math.max(1, this.clientHeight * ratio)];
-    const scale = Math.min(1, Math.sqrt(this.maxPixels / (width * height)));
-    return { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
+    const ratio = windowOf(this).devicePixelRatio || 1;
+    return sizeOf(this.clientWidth * ratio, this.clientHeight * ratio, this.maxPixels);
   }
 
   /** The view that the attributes ask for. */
@@ -489,23 +503,25 @@ export class VoxtraceViewer extends Attributes {
     else if (!wasVisible) this.#refresh();
   }
 
-  #turnOn(signal: AbortSignal) {
+  /** Turns the view by itself, and looks for another zoom of the page, with each frame of a window until these observers are gone. */
+  #turnOn(view: Window, observers: unknown[]) {
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
-    let [last, ratio] = [performance.now(), devicePixelRatio];
-    const frame = (now: number) => {
-      if (signal.aborted) return;
+    let [last, ratio] = [performance.now(), view.devicePixelRatio];
+    const frame = () => {
+      if (!observers[0]) return;
+      const now = performance.now();
       const seconds = Math.min(0.25, (now - last) / 1000);
       last = now;
       // Zooming leaves the size of an element in its own pixels as it is.
-      if (ratio !== (ratio = devicePixelRatio)) this.#refresh();
+      if (ratio !== (ratio = view.devicePixelRatio)) this.#refresh();
       const turns = this.autoRotate && !calm.matches && this.#isVisible && !this.#isCovered && !!this.#view;
       this.#parts.pause.hidden = !turns;
       if (turns && this.#isTurning && now - this.#lastMove > REST) {
         this.#move((view) => ({ ...view, theta: view.theta + TURNS * seconds }), "none");
       }
-      requestAnimationFrame(frame);
+      view.requestAnimationFrame(frame);
     };
-    requestAnimationFrame(frame);
+    view.requestAnimationFrame(frame);
   }
 
   #listenToDrops(signal: AbortSignal) {

@@ -106,8 +106,13 @@ export class Device {
     const adapter = await navigator.gpu.requestAdapter({ powerPreference: "high-performance" });
     // What runs on the processor anyway is slower than the workers.
     if (!adapter || (adapter.info.isFallbackAdapter && !takesSoftware)) return undefined;
-    const last = await Device.#ofPage?.catch(() => undefined);
-    if (last && !last.isLost) return last;
+    let asked;
+    do {
+      asked = Device.#ofPage;
+      const last = await asked?.catch(() => undefined);
+      if (last && !last.isLost) return last;
+      // Where it was lost, all viewers ask at once: the first of them makes another one.
+    } while (asked !== Device.#ofPage);
     // A default device binds 128 MiB; where there is more, larger scenes fit.
     const { maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
     const made = adapter.requestDevice({ requiredLimits: { maxStorageBufferBindingSize, maxBufferSize } }).then((device) => new Device(device));

@@ -26,10 +26,8 @@ const GROUPS = -1;
 /** Pixels at most: a tile of 8 × 8 is a workgroup, of which a dispatch has 65,535 in one direction, and those at borders are not full. */
 const MOST_PIXELS = 1 << 21;
 
-const FILTER = [
-  "filter_begin", "filter_compare", "filter_noise", "filter_tolerance", "filter_level_0", "filter_level_1", "filter_level_2", "filter_level_3", "filter_level_4",
-  "filter_end", "filter_across",
-] as const;
+/** The steps that filter a picture and show it. */
+const SHOW = PIXELS.entries.slice(PIXELS.entries.indexOf("filter_begin"));
 
 /** The shaders of all modules. */
 interface Shaders {
@@ -198,7 +196,7 @@ export class RealTimeOnDevice {
         pass.dispatchWorkgroups(count);
       };
       run("end_cells", cells / WORKGROUP);
-      if (shows) for (const step of [...FILTER, "show_picture"] as const) run(step, groups);
+      if (shows) for (const step of SHOW) run(step, groups);
       pass.end();
     });
   }

@@ -3,6 +3,17 @@
 import type { PartRequest } from "./protocol.js";
 import type { Caller } from "./tracer.js";
 
+/** Most pixels along an edge of a picture: canvases of browsers have so many. */
+const LONGEST = 16_384;
+
+/** The size of the picture for a place on the screen: its pixels, or where those are more than `most`, or than there can be along an edge, fewer of the same shape. */
+export function sizeOf(width: number, height: number, most: number) {
+  const whole = (length: number) => Math.max(1, length);
+  const [across, down] = [whole(width), whole(height)];
+  const scale = Math.min(1, Math.sqrt(most / (across * down)), LONGEST / Math.max(across, down));
+  return { width: Math.round(whole(across * scale)), height: Math.round(whole(down * scale)) };
+}
+
 /** What a picture depends on. */
 export interface Picture {
   camera: Float32Array;

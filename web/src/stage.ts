@@ -1,6 +1,7 @@
 // What is on the canvas: real-time light or coarse pictures while the view moves, the exact film while it stands still.
 import type { Pool } from "./pool.js";
 import { type Band, type Look, type Picture, Rendering, type Without } from "./rendering.js";
+import { windowOf } from "./template.js";
 import type { Caller } from "./tracer.js";
 
 /** What a picture of a view that moves may take, milliseconds: of few samples, and in real-time light. */
@@ -151,7 +152,7 @@ export class Stage {
     let isLit = await this.#light(picture, turn);
     if (!isLit) return this.#sample(picture, turn);
     while (isLit && !turn.isStopped && !turn.isLast && !this.#next) {
-      await new Promise(requestAnimationFrame);
+      await new Promise((done) => windowOf(this.canvas).requestAnimationFrame(done));
       if (turn.isStopped) return;
       isLit = await this.#light(picture, turn);
     }

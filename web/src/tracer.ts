@@ -68,11 +68,19 @@ export class Tracer implements Caller {
   }
 }
 
+/** Names scripts of workers where a page requires Trusted Types. */
+interface Policy {
+  createScriptURL(url: string): string;
+}
+let policy: Policy | undefined;
+
 /** A worker with the script at `url`, also where a page may not start those of other origins by their address. */
-export function startWorker(url: URL): Worker {
-  if (url.origin === location.origin || url.protocol === "blob:") return new Worker(url, { type: "module" });
-  const script = URL.createObjectURL(new Blob([`import ${JSON.stringify(url.href)};`], { type: "text/javascript" }));
-  const worker = new Worker(script, { type: "module" });
-  setTimeout(() => URL.revokeObjectURL(script), 60_000);
+export function startWorker({ href, origin, protocol }: URL): Worker {
+  const isNear = origin === location.origin || protocol === "blob:";
+  const script = isNear ? href : URL.createObjectURL(new Blob([`import ${JSON.stringify(href)};`], { type: "text/javascript" }));
+  const plain: Policy = { createScriptURL: (url) => url };
+  policy ??= (globalThis as { trustedTypes?: { createPolicy(name: string, rules: Policy): Policy } }).trustedTypes?.createPolicy("voxtrace", plain) ?? plain;
+  const worker = new Worker(policy.createScriptURL(script), { type: "module" });
+  if (!isNear) setTimeout(() => URL.revokeObjectURL(script), 60_000);
   return worker;
 }

@@ -242,6 +242,71 @@ test("a picture has the pixels of the screen where that changes alone, and is dr
   await page.close();
 });
 
+test("an element that is wider than canvases can be has a picture of its shape", async () => {
+  const page = await open(SCENE, { width: 200_000, height: 100 });
+  const { width, height } = await event(page, "still");
+  assert.deepEqual([width, height], [16_384, 8]);
+  assert.ok((await variance(page)) > 0);
+  await page.close();
+});
+
+test("in another document, as a window for picture-in-picture has one, it has its style and goes on", async () => {
+  const page = await open(SCENE);
+  await event(page, "still");
+  const position = () =>
+    page.evaluate(() => {
+      const canvas = window.viewer.shadowRoot.querySelector("canvas");
+      return canvas.ownerDocument.defaultView.getComputedStyle(canvas).position;
+    });
+  assert.equal(await position(), "absolute");
+  await page.evaluate(() => {
+    const frame = document.createElement("iframe");
+    document.body.append(frame);
+    frame.contentDocument.body.append(window.viewer);
+    window.viewer.cameraOrbit = "30deg 60deg 100%";
+  });
+  assert.equal(await position(), "absolute");
+  await event(page, "still", 1);
+  // Its size is heard of there.
+  await page.evaluate(() => Object.assign(window.viewer.style, { width: "200px", height: "100px" }));
+  await page.waitForFunction(() => window.events.some(({ name, detail }) => name === "still" && detail.width === 200));
+  await page.evaluate(() => {
+    document.querySelector("main").append(window.viewer);
+    document.querySelector("iframe").remove();
+    window.viewer.autoRotate = true;
+  });
+  assert.equal(await position(), "absolute");
+  // It turns with frames of the page again: that window shows none any more.
+  const moves = await count(page, "camera-change");
+  await page.waitForFunction((moves) => window.events.filter(({ name }) => name === "camera-change").length > moves, moves);
+  assert.deepEqual([await count(page, "load"), await count(page, "error"), page.errors], [1, 0, []]);
+  // Planted: without it the canvas lies where it is written.
+  await page.evaluate(() => (window.viewer.shadowRoot.adoptedStyleSheets = []));
+  assert.equal(await position(), "static");
+  await page.close();
+});
+
+test("a page that requires Trusted Types shows the scene where it allows the policy, and else why not", async () => {
+  const write = (name, policies) => {
+    const policy = `<meta http-equiv="Content-Security-Policy" content="require-trusted-types-for 'script'; trusted-types ${policies}">`;
+    const viewer = '<script type="module" src="/package/voxtrace.js"></script><voxtrace-viewer src="city.vox" samples="1"></voxtrace-viewer>';
+    writeFileSync(join(context.files, name), `<!doctype html>${policy}${viewer}`);
+  };
+  write("trusted.html", "voxtrace");
+  write("refused.html", "another");
+  const page = await open();
+  await page.goto(`${context.server.address}/files/trusted.html`);
+  await page.waitForFunction(() => document.querySelector("voxtrace-viewer").film?.()?.samples === 1);
+  // It is required, indeed.
+  const markup = () => page.evaluate(() => ((document.createElement("p").innerHTML = "text"), "taken")).catch((error) => error.message);
+  assert.match(await markup(), /TrustedHTML/);
+  await page.goto(`${context.server.address}/files/refused.html`);
+  const message = await page.waitForFunction(() => document.querySelector("voxtrace-viewer").shadowRoot?.querySelector("[role=alert]").textContent);
+  assert.match(await message.jsonValue(), /policy.*voxtrace/i);
+  assert.deepEqual(page.errors, []);
+  await page.close();
+});
+
 test("a poster whose address is none hinders nothing, and one beside the page is found", async () => {
   const page = await open({ ...SCENE, reveal: "manual", poster: "http://[" });
   await event(page, "load");

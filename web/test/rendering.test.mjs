@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { bundled } from "./bundled.mjs";
 
-const { Rendering } = await bundled("web/src/rendering.ts");
+const { Rendering, sizeOf } = await bundled("web/src/rendering.ts");
 
 const SAMPLES = 12;
 const picture = { camera: new Float32Array(10), lensOf: -1, width: 4, height: 23, samples: SAMPLES, seed: 1, bounces: 8 };
@@ -127,4 +127,15 @@ test("it says that a GPU traced of it, also where the workers ended it", async (
   const alone = renderingOf([new Fake()]);
   await alone.finished;
   assert.equal(alone.isOfGpu, false);
+});
+
+test("a picture has the pixels of its place up to what is allowed and a canvas can have, in its shape", () => {
+  const most = 1280 * 720;
+  assert.deepEqual(sizeOf(320, 180, most), { width: 320, height: 180 });
+  assert.deepEqual(sizeOf(3840, 2160, most), { width: 1280, height: 720 });
+  assert.deepEqual(sizeOf(200_000, 100, most), { width: 16_384, height: 8 });
+  assert.deepEqual(sizeOf(100, 200_000, 2 ** 26), { width: 8, height: 16_384 });
+  assert.deepEqual(sizeOf(0, 0, most), { width: 1, height: 1 });
+  // Planted: by its number of pixels alone it would be wider than any canvas.
+  assert.ok(200_000 * Math.sqrt(most / (200_000 * 100)) > 2 * 16_384);
 });

@@ -1,7 +1,7 @@
 //! Clips of frames that were rendered: which encoder makes them, and where frames are kept until they are whole.
 
 use crate::animation::Stage;
-use crate::failure::Failure;
+use crate::failure::{Failure, reason};
 use crate::interrupt;
 use crate::outputs;
 use crate::parse::Size;
@@ -242,7 +242,7 @@ impl Clip {
         let path = |frame: u32| path_of_view(&self.pattern, None, Some(frame));
         let first = path(*frames.start());
         let cannot = |path: &Path, error: &io::Error| {
-            Failure::input(format!("cannot read the frame {}: {error}", path.display()))
+            Failure::input(format!("cannot read the frame {}: {}", path.display(), reason(error)))
         };
         let (width, height, _) = read_png(&first).map_err(|error| cannot(&first, &error))?;
         let alpha = has_alpha(&first).map_err(|error| cannot(&first, &error))?;

@@ -9,11 +9,13 @@ use crate::mesh::MeshArgs;
 use crate::read_failure::import_failure;
 use crate::report::Report;
 use crate::volume::VolumeArgs;
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::Volume;
 use voxtrace::import::{
-    ClipChoice, Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, parts_not_shown, read_while,
+    ClipChoice, Content, Data, Geometry, ImportError, ImportOptions, Kind, Opened, READERS, Reader, parts_not_shown,
+    read_while,
 };
 use voxtrace::points::PointCloud;
 use voxtrace::volume::ValueStatistics;
@@ -46,6 +48,30 @@ pub struct ImportArgs {
     /// Which of the animations of a mesh moves it.
     #[arg(skip)]
     pub animation: ClipChoice,
+    /// How many shapes a second are made of what bends in it.
+    #[arg(skip)]
+    pub shape_rate: Option<f64>,
+    /// A pipe that was begun.
+    #[arg(skip)]
+    pub begun: Begun,
+}
+
+/// What was read of a pipe from its start on, and the pipe.
+type HeadAndPipe = (Vec<u8>, File);
+
+/// A pipe of which something was read to see what it holds: whoever reads it goes on from there, once.
+#[derive(Clone, Debug, Default)]
+pub struct Begun(Arc<Mutex<Option<HeadAndPipe>>>);
+
+impl Begun {
+    /// An open pipe, and what was read of it from its start on.
+    pub fn of(head: Vec<u8>, pipe: File) -> Self {
+        Self(Arc::new(Mutex::new(Some((head, pipe)))))
+    }
+
+    fn take(&self) -> Option<HeadAndPipe> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
 }
 
 impl ImportArgs {
@@ -54,12 +80,13 @@ impl ImportArgs {
         let options = self.volume.import_options(&self.mesh);
         let shell = self.volume.shell();
         let (heights, blocks) = (self.heights.options(shell), self.blocks.options(shell));
-        ImportOptions { heights, blocks, in_memory, strict: self.strict, animation: self.animation.clone(), ..options }
+        let (animation, shape_rate) = (self.animation.clone(), self.shape_rate);
+        ImportOptions { heights, blocks, in_memory, strict: self.strict, animation, shape_rate, ..options }
     }
 
     /// Keeps what is within volumes and heightmaps, unless an option says otherwise: cuts show it.
     pub fn keep_inside(&mut self) {
-        self.volume.shell.get_or_insert(false);
+        self.volume.keeps_inside = true;
     }
 
     /// Opens a file, or several that are to be one, and tells their format.
@@ -68,7 +95,11 @@ impl ImportArgs {
         paths: &'a [PathBuf],
         options: &'a ImportOptions,
     ) -> Result<Opened<'static, 'a>, Failure> {
-        self.checked(READERS.open_all(paths, options), &paths[0])
+        let opened = match self.begun.take() {
+            Some((head, pipe)) => READERS.open_begun(head, pipe, &paths[0], options),
+            None => READERS.open_all(paths, options),
+        };
+        self.checked(opened, &paths[0])
     }
 
     fn checked<'a>(
@@ -93,7 +124,8 @@ impl ImportArgs {
 
     /// Reads a file and says what was left out.
     pub fn read(&self, opened: Opened, path: &Path, report: &Report) -> Result<Data, Failure> {
-        let (kind, has_blocks) = (opened.reader().kind, opened.reader().name.starts_with("Minecraft"));
+        let reader = opened.reader();
+        let (kind, has_blocks) = (reader.kind, reader.name.starts_with("Minecraft"));
         let data = read_while(interrupt::watch(), || opened.read());
         // What a decoder makes of a reading that was stopped tells nothing.
         interrupt::check()?;
@@ -107,6 +139,14 @@ impl ImportArgs {
         if matches!(kind, Kind::Scene | Kind::Packed) {
             let why = format!("{} says itself which way is up and how large its voxels are", path.display());
             warn_of_needless(self.mesh.only_for_foreign(), &why, report);
+            let why = format!("the voxels of {} are taken as they are", path.display());
+            warn_of_needless(self.volume.shell_asked(), &why, report);
+        }
+        match &data {
+            Data::Geometry(Geometry::Mesh(_)) => self.warn_of_kind(Kind::Mesh, reader, path, report),
+            Data::Geometry(Geometry::Points(_)) => self.warn_of_kind(Kind::Points, reader, path, report),
+            Data::Volume(_) => self.warn_of_kind(Kind::Volume, reader, path, report),
+            _ => {}
         }
         if !has_blocks {
             let why = format!("{} holds no blocks of Minecraft", path.display());
@@ -117,6 +157,30 @@ impl ImportArgs {
             geometry.set_unit(self.mesh.settled(geometry.unit()));
         }
         Ok(data)
+    }
+
+    /// Says which options change nothing of what becomes voxels, as they are about something of another kind, or about parts that files of the format
+    /// have not.
+    pub fn warn_of_kind(&self, kind: Kind, reader: &Reader, path: &Path, report: &Report) {
+        let (mesh, volume, path) = (&self.mesh, &self.volume, path.display());
+        let of_volumes = || volume.only_for_volumes().chain(volume.shell_asked());
+        match kind {
+            Kind::Mesh => {
+                let why = format!("{path} is a mesh");
+                warn_of_needless(mesh.only_for_points().chain(of_volumes()), &why, report);
+            }
+            Kind::Points => {
+                let why = format!("{path} holds points");
+                warn_of_needless(mesh.only_for_meshes().chain(of_volumes()), &why, report);
+            }
+            Kind::Volume => {
+                let why = format!("{path} is a volume");
+                warn_of_needless(mesh.only_for_meshes().chain(mesh.only_for_points()), &why, report);
+                let why = format!("{path} ({}) has none to choose from", reader.name);
+                warn_of_needless(volume.only_for_several(reader.several), &why, report);
+            }
+            _ => {}
+        }
     }
 
     /// Makes a scene of what a file holds.
@@ -138,7 +202,8 @@ impl ImportArgs {
     /// Says which options change nothing of a built-in scene.
     pub fn warn_of_built_in(&self, name: &str, report: &Report) {
         let of_files = self.mesh.only_for_others().chain(self.volume.only_for_volumes());
-        let needless = of_files.chain(self.mesh.only_for_foreign()).chain(self.blocks.asked());
+        let needless = of_files.chain(self.volume.shell_asked()).chain(self.mesh.only_for_foreign());
+        let needless = needless.chain(self.blocks.asked());
         warn_of_needless(needless, &format!("{name} is made, and not read from a file"), report);
     }
 

@@ -28,31 +28,31 @@ pub const ISOMETRIC: Vec3 = Vec3::new(1.0, -1.0, 1.0);
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Lens")]
 pub struct LensArgs {
-    /// How the picture shows what is around the camera [default: what the camera has, pinhole]
+    /// How the picture shows what is around the camera [default: that of the camera, else pinhole]
     #[arg(long, value_enum)]
     pub projection: Option<Projection>,
     /// Height of what an orthographic or isometric picture shows, in voxels [default: what --fov shows at the target; of the camera `auto`, what shows everything]
     #[arg(long, value_name = "VOXELS", value_parser = parse::positive)]
     pub view_height: Option<f32>,
-    /// Angle that the height of a fisheye's picture shows [default: 180]
+    /// Angle that the height of a fisheye's picture shows, in degrees, at most 360 [default: 180]
     #[arg(long, value_name = "DEGREES", value_parser = parse::positive)]
     pub fisheye_angle: Option<f32>,
-    /// A panorama for two eyes so far apart, the left eye's above the right one's, in voxels
+    /// Make a panorama for two eyes this far apart, in voxels: the left eye's picture above the right one's
     #[arg(long, value_name = "VOXELS", value_parser = parse::positive)]
     pub eye_distance: Option<f32>,
     /// Radius of the aperture, in voxels: what is not in focus is blurred
     #[arg(long, value_name = "VOXELS", value_parser = parse::positive)]
     pub aperture: Option<f32>,
-    /// Distance in focus, in voxels along the view [default: that of the target]
+    /// Distance in focus, in voxels along the view [default: that of the target]; with --aperture
     #[arg(long, value_name = "VOXELS", value_parser = parse::positive, conflicts_with = "focus_on")]
     pub focus: Option<f32>,
-    /// Focus on what this pixel of the picture shows
+    /// Focus on what this pixel of the picture shows, counted from the upper left; with --aperture
     #[arg(long, value_name = "X,Y", value_parser = parse::pixel)]
     pub focus_on: Option<(u32, u32)>,
-    /// Blades of the diaphragm, 3 to 64 [default: 0, round]
+    /// Blades of the diaphragm, 3 to 64 [default: none, a round opening]
     #[arg(long, value_name = "N")]
     pub blades: Option<u32>,
-    /// Turns the diaphragm counterclockwise
+    /// Turn the diaphragm counterclockwise, in degrees [default: 0]
     #[arg(long, value_name = "DEGREES", value_parser = parse::finite, allow_hyphen_values = true)]
     pub blade_rotation: Option<f32>,
 }

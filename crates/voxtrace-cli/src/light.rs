@@ -18,7 +18,7 @@ pub struct LightArgs {
     /// Sky of a panorama (.hdr or .exr, 360 x 180 degrees), or `physical`: the Earth's in the light of the sun
     #[arg(long, value_name = "FILE|physical", conflicts_with = "sky_color")]
     sky: Option<String>,
-    /// Turn a panorama clockwise, seen from above; at 0 its middle is in the bearing of +y
+    /// Turn a panorama clockwise, seen from above, in degrees; at 0 its middle is in the bearing of +y [default: 0]
     #[arg(long, value_name = "DEGREES", value_parser = parse::finite, allow_hyphen_values = true)]
     sky_rotation: Option<f32>,
     /// Factor on the whole sky, the sun included
@@ -27,7 +27,7 @@ pub struct LightArgs {
     /// Sky of one colour: #rrggbb, or linear r,g,b
     #[arg(long, value_name = "COLOR", value_parser = parse::color)]
     sky_color: Option<Vec3>,
-    /// Sun at this bearing (clockwise from +y) and height in degrees, with this strength [default strength: 3]
+    /// Sun at this bearing (clockwise from +y) and height, both in degrees, with this strength (irradiance) [default strength: 3]
     #[arg(long, value_name = "BEARING,HEIGHT[,STRENGTH]", value_parser = parse::sun, allow_hyphen_values = true)]
     sun: Option<SunSetting>,
     /// Whether the camera sees the sun's disc; mirrors and glass show it either way, and its light is the same [default: as the scene says]

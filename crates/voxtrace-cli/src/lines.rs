@@ -11,11 +11,11 @@ use voxtrace::lines::{GridLines, Line, Lines};
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
 #[command(next_help_heading = "Lines")]
 pub struct LineArgs {
-    /// Draw lines along the edges of shapes, so many voxels wide; or those of the .vox file [default: 0.2,#000000]
+    /// Draw lines along the edges of shapes, WIDTH voxels wide; `file`: those of the .vox file [default with no value: 0.2,#000000]
     #[arg(long, value_name = "WIDTH[,COLOR]|file", num_args = 0..=1, require_equals = true, default_missing_value = "0.2")]
     #[arg(value_parser = edges)]
     edges: Option<Edges>,
-    /// Draw lines between voxels, so many voxels wide and so many apart; or those of the .vox file [default: 0.05,#000000,1]
+    /// Draw lines between voxels, WIDTH voxels wide and SPACING voxels apart; `file`: those of the .vox file [default with no value: 0.05,#000000,1]
     #[arg(long, value_name = "WIDTH[,COLOR[,SPACING]]|file", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "0.05", value_parser = grid)]
     grid: Option<Grid>,

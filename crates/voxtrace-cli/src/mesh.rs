@@ -172,14 +172,20 @@ impl MeshArgs {
 
     /// Options that are given and say only how what is no voxels becomes voxels.
     pub fn only_for_others(&self) -> impl Iterator<Item = &'static str> {
-        let asked = [
-            ("--resolution", self.resolution.is_some()),
-            ("--voxel-size", self.voxel_size.is_some()),
-            ("--surface", matches!(self.surface, SurfaceArg::Thin)),
-            ("--fill", self.fill),
-            ("--color-by", !matches!(self.color_by, ColorArg::Auto)),
-            ("--min-points", self.min_points > 1),
-        ];
+        let asked = [("--resolution", self.resolution.is_some()), ("--voxel-size", self.voxel_size.is_some())];
+        let sizes = asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option));
+        sizes.chain(self.only_for_meshes()).chain(self.only_for_points())
+    }
+
+    /// Those among them about the surfaces of meshes.
+    pub fn only_for_meshes(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let asked = [("--surface", matches!(self.surface, SurfaceArg::Thin)), ("--fill", self.fill)];
+        asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
+    }
+
+    /// Those among them about points.
+    pub fn only_for_points(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let asked = [("--color-by", !matches!(self.color_by, ColorArg::Auto)), ("--min-points", self.min_points > 1)];
         asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
     }
 

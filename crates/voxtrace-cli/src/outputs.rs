@@ -2,6 +2,7 @@
 //! may not replace a file that voxtrace did not write (docs/decisions/0037-outputs-and-inputs.md).
 
 use crate::failure::{Failure, Kind};
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, BufWriter, Read};
 use std::path::{Path, PathBuf};
@@ -41,6 +42,20 @@ pub fn refuse(inputs: &Inputs, path: &Path) -> Result<(), Failure> {
 pub fn check(path: &Path) -> Result<(), Failure> {
     refuse_inputs(path)?;
     check_writable(path).map_err(|error| Failure::output(path, &error))
+}
+
+/// Refuses two outputs that are one file: `a.png`, `./a.png` and `b/../a.png` are.
+pub fn refuse_twice(paths: &[&Path]) -> Result<(), Failure> {
+    let place = |path: &Path| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let folder = folder.canonicalize().or_else(|_| std::path::absolute(folder)).unwrap_or_else(|_| folder.into());
+        folder.join(path.file_name().unwrap_or_default())
+    };
+    let mut known = BTreeSet::new();
+    match paths.iter().find(|path| !known.insert(place(path))) {
+        Some(path) => Err(Failure::usage(format!("{} is written twice", path.display())).hint("name each output once")),
+        None => Ok(()),
+    }
 }
 
 /// Writes a file that this run does not read, whole or not at all.
@@ -95,6 +110,18 @@ pub fn part_path(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_output_is_named_once_by_whatever_path() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("b")).unwrap();
+        let twice = |names: &[&str]| {
+            let paths: Vec<PathBuf> = names.iter().map(|name| folder.path().join(name)).collect();
+            refuse_twice(&paths.iter().map(PathBuf::as_path).collect::<Vec<_>>()).is_err()
+        };
+        assert!(twice(&["a.png", "b.png", "a.png"]) && twice(&["a.png", "./a.png"]) && twice(&["b/../a.png", "a.png"]));
+        assert!(!twice(&["a.png", "b/a.png", "a.exr", "none/a.png"]) && !twice(&[]));
+    }
 
     #[test]
     fn the_part_of_a_picture_keeps_its_kind() {

@@ -25,7 +25,7 @@ pub struct OverlayArgs {
     /// Colours and opacities of labels: a table of FreeSurfer, 3D Slicer, ITK-SNAP or BIDS, CSV, or a TOML file [default: distinct colours]
     #[arg(long, value_name = "FILE")]
     label_colors: Option<PathBuf>,
-    /// How much of what lies behind them labels hide, from 0 to 1; multiplies the opacities of the table
+    /// Opacity of the labels, from 0 to 1: how much of what lies behind them they hide; multiplies the opacities of the table
     #[arg(long, value_name = "SHARE", default_value = "1", value_parser = parse::share, requires = "labels")]
     label_opacity: f32,
     /// A second volume to show over the first, for example a PET over a CT
@@ -37,7 +37,7 @@ pub struct OverlayArgs {
     /// Lowest visible value of the second volume [default: its transfer function's]
     #[arg(long, value_name = "VALUE", value_parser = parse::finite, allow_hyphen_values = true, requires = "overlay")]
     overlay_threshold: Option<f32>,
-    /// How much of what lies behind it the second volume hides, from 0 to 1
+    /// Opacity of the second volume, from 0 to 1: how much of what lies behind it it hides
     #[arg(long, value_name = "SHARE", default_value = "1", value_parser = parse::share, requires = "overlay")]
     overlay_opacity: f32,
 }

@@ -49,7 +49,7 @@ pub fn spacing(text: &str) -> Result<DVec3, String> {
         _ => return Err(format!("{text:?} is not three distances like 0.5,0.5,2")),
     };
     let is_good = spacing.to_array().iter().all(|distance| (1e-9..1e9).contains(distance));
-    if is_good { Ok(spacing) } else { Err(format!("{text:?} has a distance that is not more than 0")) }
+    if is_good { Ok(spacing) } else { Err(format!("{text:?} has a distance that is not from 1e-9 to 1e9")) }
 }
 
 /// An angle of view in degrees.
@@ -177,7 +177,8 @@ pub fn length(text: &str) -> Result<Length, String> {
         symbol => Some(unit(symbol)?),
     };
     let value = number::<f64>(digits, "a length like 0.02, 2cm or 2ft")?;
-    if value.is_finite() && value > 0.0 { Ok(Length { value, unit }) } else { Err(format!("{text} is no length")) }
+    let is_length = value.is_finite() && value > 0.0;
+    if is_length { Ok(Length { value, unit }) } else { Err(format!("{text} is no length above 0")) }
 }
 
 /// `m`, `mm`, `cm`, `km`, `ft`, `us-ft`.

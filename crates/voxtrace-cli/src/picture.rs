@@ -97,17 +97,11 @@ impl PictureArgs {
             Some("8") if only(PictureFormat::Exr) => Err(Failure::usage("an EXR has 16 or 32 bits a channel"))?,
             _ => {}
         }
-        let mut paths: Vec<&Path> = self.output.iter().map(PathBuf::as_path).chain(checkpoint).collect();
+        let paths: Vec<&Path> = self.output.iter().map(PathBuf::as_path).chain(checkpoint).collect();
         for path in &paths {
             check_writable(path).map_err(|error| Failure::output(path, &error))?;
         }
-        // `a.png` and `./a.png` are one file.
-        let place = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.into());
-        paths.sort_by_cached_key(|path| place(path));
-        if let Some(pair) = paths.windows(2).find(|pair| place(pair[0]) == place(pair[1])) {
-            return Err(Failure::usage(format!("{} is written twice", pair[0].display())));
-        }
-        Ok(())
+        outputs::refuse_twice(&paths)
     }
 
     /// Whether a picture is written, not films alone.

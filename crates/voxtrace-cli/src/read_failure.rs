@@ -12,6 +12,9 @@ pub fn import_failure(error: &ImportError) -> Failure {
     match &error.kind {
         ImportErrorKind::Io(io) => unreadable(&error.path, io),
         ImportErrorKind::UnknownFormat(_) => failure.hint("`voxtrace formats` lists what can be read"),
+        ImportErrorKind::Unsupported(what) if what.starts_with("a film (.vxf)") => failure.hint(
+            "`voxtrace merge FILM -o picture.png` makes a picture of it, `voxtrace info FILM` tells of its samples",
+        ),
         ImportErrorKind::Truncated(_) | ImportErrorKind::Malformed(_) => {
             failure.hint("the file is damaged; try to export it again")
         }

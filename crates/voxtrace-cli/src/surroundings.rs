@@ -15,7 +15,7 @@ const GREY: [u8; 3] = [80; 3];
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Surroundings")]
 pub struct SurroundingsArgs {
-    /// A ground without end at this height [default: below the lowest voxel]
+    /// A ground without end at this height, in voxels [default with no value: below the lowest voxel]
     #[arg(long, value_name = "HEIGHT", num_args = 0..=1, require_equals = true, default_missing_value = "auto")]
     #[arg(value_parser = height)]
     ground: Option<Height>,
@@ -25,7 +25,7 @@ pub struct SurroundingsArgs {
     /// Show nothing of the ground but the shadows on it, black with alpha, in a transparent picture or before --background
     #[arg(long, requires = "ground", conflicts_with = "fog")]
     shadow_catcher: bool,
-    /// Fog that scatters light so often in a voxel, of a colour, with a mean cosine of the angle; or that of the .vox file
+    /// Fog: how often light scatters on its way through a voxel (0.001: once in a thousand voxels), its colour [default: white], and the mean cosine of the angle, above 0 forwards [default: 0]; `file`: that of the .vox file
     #[arg(long, value_name = "DENSITY[,COLOR[,G]]|file", value_parser = fog)]
     fog: Option<FogOption>,
     /// What the camera sees where it sees no voxel: #rrggbb, linear r,g,b, or that of the .vox file; it sheds no light

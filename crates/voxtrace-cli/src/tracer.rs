@@ -11,7 +11,7 @@ use voxtrace::{PackedScene, Tracer};
 use voxtrace_vulkan::{Primitive, Request, Traversal, choose_for};
 
 /// What names the device where no option does.
-const DEVICE_VARIABLE: &str = "VOXTRACE_DEVICE";
+pub const DEVICE_VARIABLE: &str = "VOXTRACE_DEVICE";
 
 /// Options about the device and how it finds voxels.
 #[derive(clap::Args, Clone, Debug)]

@@ -36,7 +36,7 @@ pub struct ViewArgs {
     pub camera_file: Option<PathBuf>,
     #[command(flatten)]
     pub place: PlaceArgs,
-    /// Turn the camera around its target, once in N frames [default: the number of frames rendered]
+    /// Turn the camera around its target, once in N frames [default with no value: the number of frames rendered]
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "0", value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     pub turntable: Option<u32>,
     /// Fly through the cameras of a TOML file, the tables [bookmarks.1] and on as the window keeps them, at constant speed

@@ -10,7 +10,7 @@ use crate::report::Report;
 use crate::transfer_text;
 use std::path::Path;
 use voxtrace::glam::{DVec3, Vec3};
-use voxtrace::import::{ImportOptions, RawShape, opened};
+use voxtrace::import::{ImportOptions, RawShape, Several, opened};
 use voxtrace::scene::LengthUnit;
 use voxtrace::volume::large::Survey;
 use voxtrace::volume::{self, LabelColor, Preset, Ramp, Transfer, ValueStatistics, VolumeError, VolumeOptions};
@@ -37,7 +37,11 @@ pub struct VolumeArgs {
     /// [default: true; false where the scene is cut]
     #[arg(long, value_name = "BOOL")]
     pub shell: Option<bool>,
-    /// Number of the DICOM series to read, where a folder has several [default: the one with the most slices]
+    /// Whether what is inside is kept where no option says so: cuts show it.
+    #[arg(skip)]
+    pub keeps_inside: bool,
+    /// Number of the DICOM series to read, where a folder has several, or of the array of an .npz file, from 1 on [default: the series with
+    /// the most slices, the largest array]
     #[arg(long, value_name = "NUMBER")]
     series: Option<i64>,
     /// Number of the channel to show, from 1 on [default: all, in their colours]
@@ -69,7 +73,12 @@ impl VolumeArgs {
 
     /// Whether only what has an empty neighbour is kept.
     pub fn shell(&self) -> bool {
-        self.shell.unwrap_or(true)
+        self.shell.unwrap_or(!self.keeps_inside)
+    }
+
+    /// The option about what has an empty neighbour, where it is given.
+    pub fn shell_asked(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.shell.map(|_| "--shell").into_iter()
     }
 
     /// Whether an option gives a transfer function, whose colours then go before those of the volume.
@@ -199,6 +208,17 @@ impl VolumeArgs {
             ("--spacing", self.spacing.is_some()),
         ];
         asked.into_iter().filter_map(|(option, is_asked)| is_asked.then_some(option))
+    }
+
+    /// Options that are given and choose one of several of a kind in a volume, of which its format has none.
+    pub fn only_for_several(&self, several: &[Several]) -> impl Iterator<Item = &'static str> + use<> {
+        let asked = [
+            ("--series", self.series.is_some(), Several::Series),
+            ("--channel", self.channel.is_some(), Several::Channels),
+            ("--time", self.time.is_some(), Several::TimePoints),
+        ];
+        let known = asked.map(|(option, is_asked, kind)| (option, is_asked && !several.contains(&kind)));
+        known.into_iter().filter_map(|(option, is_needless)| is_needless.then_some(option))
     }
 
     /// Warns of a transfer function that is made for other values, once these are known.

@@ -31,6 +31,60 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&mut BufWriter<File>) ->
     temporary.replace(path)
 }
 
+/// As [`write_atomically`], as long as it is `wanted`, which says no for good: once it is not, writing ends soon, with an error of
+/// [`io::ErrorKind::Other`], the old file is untouched and nothing is left behind.
+///
+/// # Errors
+/// As [`write_atomically`].
+pub fn write_atomically_while(
+    path: &Path,
+    wanted: &dyn Fn() -> bool,
+    write: impl FnOnce(&mut WriteWhile) -> io::Result<()>,
+) -> io::Result<()> {
+    write_atomically(path, |file| {
+        let mut file = WriteWhile { inner: file, wanted, left: 0 };
+        write(&mut file)?;
+        file.check()
+    })
+}
+
+/// Bytes that are written between two questions whether they are wanted.
+const BETWEEN: usize = 1 << 16;
+
+/// A file that is written as long as that is wanted.
+pub struct WriteWhile<'a> {
+    inner: &'a mut dyn Write,
+    wanted: &'a dyn Fn() -> bool,
+    /// Bytes until the next question.
+    left: usize,
+}
+
+impl WriteWhile<'_> {
+    /// Fails where nothing more is wanted.
+    ///
+    /// # Errors
+    /// One of [`io::ErrorKind::Other`].
+    pub fn check(&self) -> io::Result<()> {
+        if (self.wanted)() { Ok(()) } else { Err(io::Error::other("stopped")) }
+    }
+}
+
+impl Write for WriteWhile<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.left == 0 {
+            self.check()?;
+            self.left = BETWEEN;
+        }
+        let count = self.inner.write(&bytes[..bytes.len().min(self.left)])?;
+        self.left -= count;
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}
+
 /// Checks that `path` is a regular file, which [`TemporaryFile::replace`] may replace, or does not exist.
 pub fn check_replaceable(path: &Path) -> io::Result<()> {
     match existing(&follow_link(path))? {
@@ -199,6 +253,28 @@ mod tests {
         assert_eq!(failed.unwrap_err().kind(), io::ErrorKind::StorageFull);
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(names_in(folder.path()), ["a.txt"]);
+    }
+
+    #[test]
+    fn what_nobody_wants_any_more_leaves_the_old_file_whole() {
+        use std::cell::Cell;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        let new = vec![7; 5 * BETWEEN + 3];
+        // It says no from the question of this number on; the last one is asked once all is written.
+        for asked in 0..8 {
+            fs::write(&path, "old").unwrap();
+            let questions = Cell::new(0);
+            let wanted = || questions.replace(questions.get() + 1) < asked;
+            let written = write_atomically_while(&path, &wanted, |file| file.write_all(&new));
+            assert_eq!(written.is_ok(), asked == 7, "{asked}");
+            if let Err(error) = written {
+                assert_eq!((error.kind(), questions.get()), (io::ErrorKind::Other, asked + 1));
+                assert_eq!(fs::read(&path).unwrap(), b"old");
+            }
+            assert_eq!(names_in(folder.path()), ["a.txt"]);
+        }
+        assert_eq!(fs::read(&path).unwrap(), new);
     }
 
     #[test]

@@ -18,7 +18,8 @@ use voxtrace::{DynamicScene, Edit, EditError, PackedScene, Patch, Shape};
 const UNDO_BYTES: u64 = 256 << 20;
 
 /// Changes voxels of a scene, with undo. A `Renderer` made of it follows by `Renderer.follow`, in a fraction of a millisecond for small edits. Threads may share
-/// it: they edit one after the other, and other threads of Python run meanwhile.
+/// it: they edit one after the other, and other threads of Python run meanwhile. Places and lengths are in voxels of a grid; `grid` is its number, as `Instance.grid` says
+/// it of the instances of `Editor.scene()`.
 ///
 /// Edits raise `VoxtraceError`, with nothing changed, for a grid or a material that is not there and for voxels beyond ±524,288 that would be filled, and
 /// `ValueError` for numbers that cannot be.

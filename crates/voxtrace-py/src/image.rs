@@ -146,13 +146,13 @@ impl PyImage {
     }
 
     /// Writes the picture: `.png`, `.exr` (linear, with AOVs) or `.vxf` (the film, which `voxtrace render --resume` goes on with). The file is whole or what
-    /// it was before.
+    /// it was before, also where Ctrl-C ends it; the compression of a PNG goes on to its end.
     ///
     /// Raises `ValueError` for another name, `OSError` where the file cannot be written.
     #[pyo3(signature = (path, *, exposure=0.0, tone_map="agx"))]
     fn save(&self, py: Python<'_>, path: PathBuf, exposure: f32, tone_map: &str) -> PyResult<()> {
         let picture = self.picture.clone().tone_map(tone_of(exposure, tone_map)?);
-        detach(py, || picture.save(&path))?.map_err(|error| match error {
+        run_while(py, |wanted| picture.save_while(&path, wanted))?.map_err(|error| match error {
             RenderError::Io { path, error } => of_writing(&path, &error),
             error => argument(error),
         })

@@ -22,6 +22,9 @@ pub struct PyMaterial(pub Material);
 impl PyMaterial {
     /// A surface: matte, unless `metallic`, `specular` or `transmission` say otherwise.
     ///
+    /// `base_color`: reflectance, channels in [0, 1]. `emission`: radiance, channels ≥ 0. `roughness`, `metallic`, `transmission` and `specular` are in [0, 1], `ior`
+    /// is ≥ 1. Of the medium that light comes into: `absorption` and `scattering`, one over voxels, ≥ 0, and `anisotropy` of the scattering in (-1, 1).
+    ///
     /// Raises `ValueError` for numbers out of range.
     #[new]
     #[pyo3(signature = (base_color=Color(Vec3::splat(0.8)), *, emission=Color(Vec3::ZERO), roughness=1.0, metallic=0.0, transmission=0.0, ior=1.5, specular=0.0, anisotropy=0.0, absorption=Color(Vec3::ZERO), scattering=0.0),

@@ -73,7 +73,8 @@ pub fn open(
         VolumeOptions { scale, transfer: transfer.map(|transfer| transfer.0), threshold, shell, overlays: Vec::new() };
     let animation = animation.map_or(ClipChoice::None, ClipChoice::Named);
     let import = import_options(channel, time, series, strict)?;
-    let options = ImportOptions { voxelize, volume, animation, ..import };
+    // Nothing plays here: what bends stands at rest.
+    let options = ImportOptions { voxelize, volume, animation, shape_rate: Some(0.0), ..import };
     let loaded = read(py, || import::load(&path, &options))?;
     let mut scene = match loaded.content {
         Content::Scene(scene) => PyScene::of(*scene),

@@ -170,8 +170,8 @@ impl PyRenderer {
 
     /// Finds for each ray the first voxel that it meets.
     ///
-    /// `origins` and `directions`: shape `(N, 3)`; `t_max`: one number or `(N,)`, in multiples of the direction's length. Returns a dict of arrays of length N: `hit`
-    /// (bool), `t` (float32, infinite for a miss), `position` (float32, `(N, 3)`), `normal` (float32, `(N, 3)`), `voxel` (int32, `(N, 3)`, in the instance's grid),
+    /// `origins` and `directions`: shape `(N, 3)`, world units; `t_max`: one number or `(N,)`, in multiples of the direction's length. Returns a dict of arrays of length N: `hit`
+    /// (bool), `t` (float32, as `t_max`, infinite for a miss), `position` (float32, `(N, 3)`, world units), `normal` (float32, `(N, 3)`), `voxel` (int32, `(N, 3)`, in the instance's grid),
     /// `instance` (uint32), `material` (uint32). Numbers of misses are 0, their instance and material 4294967295.
     ///
     /// Raises `ValueError` for other shapes and rays that are not finite.

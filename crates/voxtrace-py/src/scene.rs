@@ -28,7 +28,7 @@ use voxtrace::{Brick, Instance, Material, PackedScene, Scene, Transform, VoxelGr
 const PERIOD: Duration = Duration::from_millis(5);
 
 /// Voxels in their places, with materials, sky and cameras. Threads may share it: while it is packed for one of them, others that need it packed or change it wait.
-/// It can be pickled and copied.
+/// It can be pickled and copied; animations of glTF files, which are neither shown nor written here, are in no pickle.
 ///
 /// >>> import voxtrace
 /// >>> scene = voxtrace.builtin("city", voxels=20_000)
@@ -123,7 +123,7 @@ impl PyScene {
             Held::Packed(packed) => Arc::clone(packed),
             Held::Scene(_) => return Ok(()),
         };
-        let scene = detach(slf.py(), || Box::new(packed.to_scene()))?;
+        let scene = Box::new(unpacked(slf.py(), &packed)?);
         let mut held = Self::alone(slf)?;
         // Another thread may have done the same, and changed it.
         if matches!(held.content, Held::Packed(_)) {
@@ -148,7 +148,7 @@ impl PyScene {
     fn looked_at<T>(&self, py: Python<'_>, of_scene: impl FnOnce(&Scene) -> T) -> PyResult<T> {
         match &self.content {
             Held::Scene(scene) => Ok(of_scene(scene)),
-            Held::Packed(packed) => detach(py, || packed.to_scene()).map(|scene| of_scene(&scene)),
+            Held::Packed(packed) => unpacked(py, packed).map(|scene| of_scene(&scene)),
         }
     }
 
@@ -180,7 +180,9 @@ impl PyScene {
                 return Ok(Arc::clone(packed));
             }
             let mut packed = match content {
-                Held::Packed(packed) if keeps_instances && packed.is_merged() => Arc::new(packed.split()),
+                Held::Packed(packed) if keeps_instances && packed.is_merged() => {
+                    Arc::new(packed.split_while(wanted).ok_or(PackError::Stopped)?)
+                }
                 Held::Packed(packed) => Arc::clone(packed),
                 Held::Scene(scene) if keeps_instances => Arc::new(PackedScene::pack_while(scene, wanted)?),
                 Held::Scene(scene) => Arc::new(PackedScene::pack_merged_while(scene, wanted)?),
@@ -431,8 +433,9 @@ impl PyScene {
         Ok(packed.bounds().map(|(low, high)| (low.to_array(), high.to_array())))
     }
 
-    /// What the scene holds and what it costs: `voxels`, `voxels_placed`, `instances`, `materials`, `size`, `bytes` by kind, `bytes_per_voxel`, `unit`,
-    /// `voxel_size`, `content_hash`.
+    /// What the scene holds and what it costs: `name`, `voxels` (each grid once), `voxels_placed` (each instance's), `models` (grids), `instances`, `materials`,
+    /// `emissive_voxels`, `size` (of the box around everything visible, voxels), `bytes` by kind, `total_bytes`, `bytes_per_voxel`, `unit` (`"m"`, `"mm"` or `None`), `voxel_size` (edge of a
+    /// voxel, in `unit`), `content_hash` (16 hexadecimal digits).
     fn info<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let packed = self.packed(py, false)?;
         let (statistics, hash) = detach(py, || (packed.statistics(), packed.content_hash()))?;
@@ -460,13 +463,13 @@ impl PyScene {
     }
 
     /// Writes the scene: `.vxt`, `.vox`, `.ply`, `.obj`, `.glb` and the other formats of `voxtrace convert`. Returns what the file does not hold, one
-    /// phrase each. The file is whole or what it was before.
+    /// phrase each. The file is whole or what it was before, also where Ctrl-C ends it.
     ///
     /// Raises `ValueError` for another name or a scene that the format has no place for, `OSError` where the file cannot be written.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
         if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("vxt")) {
             let packed = self.packed(py, false)?;
-            let saved = detach(py, || packed.save(&path))?;
+            let saved = run_while(py, |wanted| packed.save_while(&path, wanted))?;
             return saved.map(|()| Vec::new()).map_err(|error| match error.kind {
                 FileErrorKind::Io(cause) => of_writing(&path, &cause),
                 kind => argument(format!("{}: {kind}", path.display())),
@@ -474,12 +477,17 @@ impl PyScene {
         }
         let writer = writer_of(&path)
             .ok_or_else(|| argument(format!("{}: no format that scenes are written in", path.display())))?;
-        let written = match &self.content {
-            Held::Scene(scene) => detach(py, || writer.write(&path, scene))?,
-            Held::Packed(packed) => detach(py, || writer.write(&path, &packed.to_scene()))?,
-        };
+        let content = &self.content;
+        let written = run_while(py, |wanted| match content {
+            Held::Scene(scene) => writer.write_while(&path, scene, wanted),
+            Held::Packed(packed) => {
+                let scene = packed.to_scene_while(wanted).ok_or(ExportError::Stopped)?;
+                writer.write_while(&path, &scene, wanted)
+            }
+        })?;
         written.map_err(|error| match error {
             ExportError::Io { path, error } => of_writing(&path, &error),
+            ExportError::Stopped => other(py, "stopped"),
             error => argument(error),
         })
     }
@@ -546,6 +554,11 @@ impl PyScene {
         let voxels = self.voxels(py)?;
         Ok(format!("<Scene {:?}: {voxels} voxels>", self.name()))
     }
+}
+
+/// What a file had as a scene that can be changed.
+fn unpacked(py: Python<'_>, packed: &PackedScene) -> PyResult<Scene> {
+    run_while(py, |wanted| packed.to_scene_while(wanted))?.ok_or_else(|| other(py, "stopped"))
 }
 
 /// A grid with materials that are counted from `first` on.

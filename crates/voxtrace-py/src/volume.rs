@@ -79,13 +79,13 @@ impl PyVolume {
         self.0.size.into()
     }
 
-    /// Distance between samples along each axis.
+    /// Distance between samples along each axis, in `unit`.
     #[getter]
     fn spacing(&self) -> [f64; 3] {
         self.0.spacing().to_array()
     }
 
-    /// From indices to the world, 4 × 4.
+    /// From indices to the world, 4 × 4: places in `unit`.
     #[getter]
     fn affine(&self) -> [[f64; 4]; 4] {
         let DAffine3 { matrix3, translation } = self.0.world_from_index;
@@ -93,7 +93,7 @@ impl PyVolume {
         [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]]
     }
 
-    /// `"mm"`, `"m"` or `None`.
+    /// Unit of length: `"mm"`, `"m"` or `None`, where it is not known.
     #[getter]
     fn unit(&self) -> Option<&'static str> {
         unit_name(self.0.unit)
@@ -187,7 +187,7 @@ impl PyVolume {
 
     /// Makes voxels of what `transfer`, a `TransferFunction` or the name of a preset, shows; without it one is chosen by the values.
     ///
-    /// `threshold` overrides its threshold. `resolution` is the number of voxels along the longest side, `voxel_size` their edge in units; by default
+    /// `threshold` overrides its threshold. `resolution` is the number of voxels along the longest side, `voxel_size` their edge in `unit`; by default
     /// there is one for each sample. `shell`: only those that a ray from outside can reach are kept.
     ///
     /// Raises `VoxtraceError` where nothing would be seen; Ctrl-C ends it.

@@ -114,6 +114,12 @@ impl Memory {
     pub fn doubt(&mut self, paths: f32) {
         self.paths = self.paths.min(paths);
     }
+
+    /// Makes the light that is known darker by a factor.
+    pub fn darken(&mut self, scale: f32) {
+        self.light *= scale;
+        self.moments *= Vec3::new(scale * scale, scale, 1.0);
+    }
 }
 
 #[cfg(test)]

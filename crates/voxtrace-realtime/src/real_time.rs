@@ -1,6 +1,6 @@
 //! Frame after frame.
 
-use crate::confidence::{Found, paths_left};
+use crate::confidence::{Change, Found, paths_left};
 use crate::filter::filter;
 use crate::half_rate::{Rate, Samples};
 use crate::light_cache::{LightCache, Request};
@@ -287,9 +287,10 @@ impl RealTime {
         let then = View { camera: before.camera, eye: before.frame.camera.eye, cache: None, ..*view };
         let now = Found::of(&then, &before.frame, self.number.wrapping_sub(1));
         let changed = before.found.changes(&now, &then);
-        let doubt = |(memory, changed): (&Memory, f32)| {
+        let doubt = |(memory, change): (&Memory, Change)| {
             let mut memory = *memory;
-            memory.doubt(paths_left(memory.paths, changed));
+            memory.doubt(paths_left(memory.paths, change.share));
+            memory.darken(change.scale);
             memory
         };
         self.memory.par_iter().zip(changed).map(doubt).collect()

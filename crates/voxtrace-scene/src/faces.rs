@@ -57,18 +57,35 @@ impl FaceRectangle {
 /// # Panics
 /// If a voxel's material is not one of `materials`.
 pub fn face_rectangles(grid: &VoxelGrid, materials: &[Material]) -> Vec<FaceRectangle> {
+    face_rectangles_while(grid, materials, &|| true).expect("nobody stops it")
+}
+
+/// As [`face_rectangles`], as long as they are `wanted`, which several threads ask, and which says no for good; `None` once they are not.
+///
+/// # Panics
+/// As [`face_rectangles`].
+pub fn face_rectangles_while(
+    grid: &VoxelGrid,
+    materials: &[Material],
+    wanted: &(dyn Fn() -> bool + Sync),
+) -> Option<Vec<FaceRectangle>> {
     let clear: Vec<bool> = materials.iter().map(Material::is_transmissive).collect();
     let bricks = grid.sorted_bricks();
     let of_brick = |(at, brick): &(IVec3, &Brick)| {
         let mut found = Vec::new();
-        BrickFaces::new(grid, *at, brick, &clear).each(&mut |rectangle| found.push(rectangle));
+        if wanted() {
+            BrickFaces::new(grid, *at, brick, &clear).each(&mut |rectangle| found.push(rectangle));
+        }
         found
     };
     let mut all: Vec<FaceRectangle> = bricks.par_iter().flat_map_iter(of_brick).collect();
     for along in [0, 1] {
+        if !wanted() {
+            return None;
+        }
         join(&mut all, along);
     }
-    all
+    wanted().then_some(all)
 }
 
 /// Joins rectangles that lie side by side `along` one of their axes and are alike across it.

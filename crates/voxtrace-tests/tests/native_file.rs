@@ -7,6 +7,7 @@ mod forged;
 
 use forged::{chain, forge};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use voxtrace::glam::{IVec3, Mat3, Vec3};
 use voxtrace::sky::{Background, Environment};
 use voxtrace::{Camera, Hit, Material, PackedScene, Ray, Scene, Sky, Sun, Transform};
@@ -33,6 +34,44 @@ fn bytes_of(scene: &PackedScene) -> Vec<u8> {
     let path = folder.path().join("scene.vxt");
     scene.save(&path).unwrap();
     std::fs::read(path).unwrap()
+}
+
+/// Says so often that it is wanted, and how often it was asked.
+fn wanted(most: usize, asked: &AtomicUsize) -> impl Fn() -> bool + Sync {
+    asked.store(0, Ordering::Relaxed);
+    move || asked.fetch_add(1, Ordering::Relaxed) < most
+}
+
+#[test]
+fn unpacking_and_saving_end_where_nobody_waits_for_them() {
+    let asked = AtomicUsize::new(0);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.vxt");
+    for packed in [PackedScene::pack(&scene()).unwrap(), PackedScene::pack_merged(&models(12, 8)).unwrap()] {
+        let scene = packed.to_scene_while(&wanted(usize::MAX, &asked)).unwrap();
+        assert_eq!(scene, packed.to_scene());
+        let questions = asked.load(Ordering::Relaxed);
+        assert!(questions > 5, "asked {questions} times");
+        for answered in [0, 1, questions / 2, questions - 1] {
+            assert!(packed.to_scene_while(&wanted(answered, &asked)).is_none(), "after {answered} of {questions}");
+        }
+        assert!(packed.to_scene_while(&wanted(questions, &asked)).is_some());
+
+        let split = packed.split_while(&wanted(usize::MAX, &asked)).unwrap();
+        assert_eq!(split.content_hash(), packed.split().content_hash());
+        assert_eq!(packed.split_while(&|| false).is_some(), !packed.is_merged(), "what is apart stays as it is");
+
+        packed.save_while(&path, &wanted(usize::MAX, &asked)).unwrap();
+        let (whole, questions) = (std::fs::read(&path).unwrap(), asked.load(Ordering::Relaxed));
+        for answered in 0..questions {
+            std::fs::write(&path, "old").unwrap();
+            assert!(packed.save_while(&path, &wanted(answered, &asked)).is_err(), "after {answered} of {questions}");
+            assert_eq!(std::fs::read(&path).unwrap(), b"old");
+            assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left behind");
+        }
+        packed.save_while(&path, &wanted(questions, &asked)).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), whole);
+    }
 }
 
 #[test]

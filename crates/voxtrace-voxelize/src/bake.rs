@@ -42,6 +42,9 @@ pub enum BakeError {
     /// The voxels lie farther apart than a grid reaches.
     #[error("voxels that lie farther apart than a grid reaches, {MAX_COORDINATE} voxels")]
     TooFar,
+    /// Nobody wants it any more.
+    #[error("stopped")]
+    Stopped,
 }
 
 /// What baking did.
@@ -99,6 +102,15 @@ pub fn bake(scene: &mut Scene, limits: &Limits) -> Result<Baked, BakeError> {
 /// # Errors
 /// [`BakeError::OffLattice`], [`BakeError::TooFar`].
 pub fn flattened(scene: &Scene) -> Result<(VoxelGrid, IVec3), BakeError> {
+    flattened_while(scene, &|| true)
+}
+
+/// As [`flattened`], as long as it is `wanted`, which says no for good.
+///
+/// # Errors
+/// As [`flattened`], and [`BakeError::Stopped`].
+#[doc(hidden)]
+pub fn flattened_while(scene: &Scene, wanted: &dyn Fn() -> bool) -> Result<(VoxelGrid, IVec3), BakeError> {
     let mut placed = Vec::new();
     for (index, instance) in scene.instances.iter().enumerate().filter(|(_, one)| scene.is_visible(one)) {
         let way = Lattice::of(&instance.world_from_grid)
@@ -116,6 +128,9 @@ pub fn flattened(scene: &Scene) -> Result<(VoxelGrid, IVec3), BakeError> {
     for (grid, way, _) in placed.into_iter().rev() {
         for (at, brick) in grid.sorted_bricks() {
             let low = at * BRICK_SIZE;
+            if !wanted() {
+                return Err(BakeError::Stopped);
+            }
             brick.voxels().for_each(|(local, material)| scatter.set(way.voxel(low + local) - corner, material));
         }
     }

@@ -365,12 +365,21 @@ impl Picture {
     /// # Errors
     /// If the name says no such format or the file cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), RenderError> {
+        self.save_while(path, &|| true)
+    }
+
+    /// As [`Self::save`], as long as it is `wanted`, which says no for good: once it is not, saving ends soon, and the file is what it was before. Only the
+    /// compression of a PNG is not interrupted.
+    ///
+    /// # Errors
+    /// As [`Self::save`], and [`RenderError::Io`] once it is not wanted.
+    pub fn save_while(&self, path: impl AsRef<Path>, wanted: &(dyn Fn() -> bool + Sync)) -> Result<(), RenderError> {
         let path = path.as_ref();
         if PictureFormat::of(path).is_none() {
             return Err(RenderError::UnknownFormat(path.into()));
         }
         let options = PictureOptions { tone_map: self.tone_map, ..PictureOptions::default() };
-        let saved = self.file.save_denoised(path, &options, self.denoised.as_ref());
+        let saved = self.file.save_denoised_while(path, &options, self.denoised.as_ref(), wanted);
         saved.map_err(|error| RenderError::Io { path: path.into(), error })
     }
 }

@@ -172,6 +172,16 @@ impl Cast {
             })
         });
         further.extend(of_keys.filter(|_| self.animation.keyframe_rate > 0.0));
+        let clip = playing(&self.base).filter(|_| self.animation.clip != Playback::Still);
+        let shapes = clip.map(|(_, motion)| motion.all_shapes()).unwrap_or_default();
+        further.extend(shapes.into_iter().map(|(index, grid, world_from_grid)| Instance {
+            keyframes: Vec::new(),
+            repeats: None,
+            name: String::new(),
+            grid,
+            world_from_grid,
+            ..self.base.instances[index].clone()
+        }));
         let tracked = self.animation.objects.iter().flat_map(|track| track.instances.iter());
         // What appears later is packed, too.
         further.extend(tracked.map(|&index| Instance {

@@ -29,7 +29,7 @@ pub struct MotionArgs {
     /// Frames a second [default: 24, or 10 where only keyframes of the file move]
     #[arg(long, value_name = "N", value_parser = rate)]
     pub fps: Option<f64>,
-    /// Frames a second of the keyframes that a file brings along [default: as --fps]
+    /// Frames a second of the keyframes that a file brings along, and shapes a second of what bends in one of glTF [default: as --fps]
     #[arg(long, value_name = "N", value_parser = rate)]
     pub key_fps: Option<f64>,
     /// Which of the animations of a glTF file, by name or number [default: the first; `info` lists them]
@@ -67,6 +67,13 @@ impl Director {
     /// Which of the file's animations moves it.
     pub fn clip(&self) -> Option<&str> {
         self.args.animation.as_deref().or_else(|| self.script.as_ref()?.animation.as_deref())
+    }
+
+    /// How many shapes a second are made of what bends in the file's animation: those that the frames show, as far as is known before the scene is read.
+    pub fn shape_rate(&self) -> f64 {
+        let script = self.script.as_ref();
+        let of_keys = self.args.key_fps.or_else(|| script?.key_fps);
+        of_keys.or(self.args.fps).or_else(|| script?.fps).unwrap_or(DEFAULT_FPS)
     }
 
     /// How many frames the whole has, where the file or an option says it.

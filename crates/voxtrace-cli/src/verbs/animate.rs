@@ -10,11 +10,22 @@ use std::path::{Path, PathBuf};
 use voxtrace::import::ClipChoice;
 use voxtrace::output::PictureFormat;
 
+const OUTPUT_HELP: &str = "Clip to write: .mp4, .gif, .png or .apng; or frames, with #### where their number goes: shot_####.png, .exr or .vxf; \
+    may be repeated";
+const FRAMES_HELP: &str = "Frames to render, from 1 on [default: all of the animation]";
+
 /// Render the frames of an animation, as pictures or as a clip
 ///
 /// SCENE is a scene or an animation in TOML (docs/animation.md), which names its scene. Outputs with #### are frames (.png, .exr, .vxf);
 /// others are clips: .mp4, .gif, .png (animated).
 #[derive(clap::Args, Clone, Debug)]
+// What some options of `render` mean there.
+#[command(
+    mut_arg("output", |output| output.help(OUTPUT_HELP)),
+    mut_arg("frames", |frames| frames.help(FRAMES_HELP)),
+    mut_arg("exposure", |exposure| exposure.help("Exposure in stops (PNG and clips)")),
+    mut_arg("tone_map", |operator| operator.help("Tone mapping operator (PNG and clips)"))
+)]
 pub struct AnimateArgs {
     #[command(flatten)]
     motion: MotionArgs,
@@ -51,6 +62,7 @@ impl AnimateArgs {
         let frames_of = |path: &PathBuf| !Clip::is_clip(path);
         let (mut frames, clips): (Vec<PathBuf>, Vec<PathBuf>) =
             self.render.picture.output.drain(..).partition(frames_of);
+        outputs::refuse_twice(&clips.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
         self.clip.check(&clips, self.render.size_of_pictures())?;
         self.clip.warn_of_needless(&clips, report);
         // Before frames are made; what the scene names is known later, and asked about before a clip is written.
@@ -75,6 +87,7 @@ impl AnimateArgs {
         self.render.picture.output = frames;
         let asked = director.clip().map(str::to_owned);
         self.render.scene.import.animation = asked.map_or(ClipChoice::First, ClipChoice::Named);
+        self.render.scene.import.shape_rate = Some(director.shape_rate());
         let rendered = self.render.clone().run_directed(Some(&director), &mut |stage| clip.learn(stage), report);
         clip.note_inputs();
         if rendered.is_err() {

@@ -72,7 +72,7 @@ pub struct BenchArgs {
     /// Time limit for the frames of each cell [default: none on a GPU, 60s in software, 20s on the CPU beside a GPU; with --quick 4s]
     #[arg(long, value_name = "TIME", value_parser = parse::duration)]
     time_limit: Option<Duration>,
-    /// About a minute in all
+    /// Measure less: about a minute in all
     #[arg(long)]
     quick: bool,
     /// Every traversal and primitive that the device offers, and the CPU
@@ -109,7 +109,7 @@ pub struct BenchArgs {
     /// Rounds of --against, in which each program gets its share of the frames and of the time [default: 5]
     #[arg(long, value_name = "N", requires = "against", value_parser = clap::value_parser!(u32).range(3..=100))]
     rounds: Option<u32>,
-    /// Print results.json rather than a table
+    /// Print results.json instead of a table
     #[arg(long)]
     json: bool,
     /// Camera from a TOML file, for every scene: eye, target, up, fov_y (or x, y, z, pitch, yaw, fov), and its light

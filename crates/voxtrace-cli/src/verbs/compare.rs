@@ -23,7 +23,7 @@ pub struct CompareArgs {
     /// The other report or picture
     #[arg(value_name = "B")]
     b: PathBuf,
-    /// Print JSON
+    /// Print JSON instead of text
     #[arg(long)]
     json: bool,
     /// Write where two pictures differ (FLIP, from black to pale yellow) as a PNG
@@ -39,15 +39,9 @@ pub struct CompareArgs {
 
 impl CompareArgs {
     pub fn run(self, report: &Report) -> Result<(), Failure> {
-        for path in [&self.a, &self.b] {
-            // What it is, is told by its first bytes, and a pipe gives them once.
-            if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir()) {
-                let failure = Failure::input(format!("cannot compare {}: it is no file", path.display()));
-                return Err(failure.hint("a pipe can be read once: write what comes out of it to a file"));
-            }
-        }
-        match [&self.a, &self.b].map(|path| difference::is_picture(path)) {
-            [true, true] => self.pictures(report),
+        let (a, b) = (Side::of(&self.a)?, Side::of(&self.b)?);
+        match [a.is_picture(), b.is_picture()] {
+            [true, true] => self.pictures([a, b], report),
             [false, false] if self.output.is_none() => {
                 let comparison = Comparison::open(&self.a, &self.b)?;
                 self.warn_of_needless("reports have no pictures to show", report);
@@ -65,7 +59,7 @@ impl CompareArgs {
         }
     }
 
-    fn pictures(&self, report: &Report) -> Result<(), Failure> {
+    fn pictures(&self, [a, b]: [Side; 2], report: &Report) -> Result<(), Failure> {
         [&self.a, &self.b].into_iter().for_each(|path| opened::note(path));
         if let Some(path) = &self.output {
             if path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("png")) {
@@ -74,10 +68,10 @@ impl CompareArgs {
             outputs::check(path)?;
         }
         let tone_map = ToneMap { operator: self.tone_map.operator(), exposure: self.exposure };
-        if is_png(&self.a) && is_png(&self.b) {
+        if a.is_png() && b.is_png() {
             self.warn_of_needless("both pictures are PNG, which are shown as they are", report);
         }
-        let (a, b) = (open(&self.a, &tone_map)?, open(&self.b, &tone_map)?);
+        let (a, b) = (a.open(&tone_map)?, b.open(&tone_map)?);
         let difference = Difference::of(&a, &b)
             .map_err(|error| Failure::mismatch(error).hint("render both with the same --size and --crop"))?;
         if let Some(path) = &self.output {
@@ -136,18 +130,57 @@ impl CompareArgs {
     }
 }
 
-/// Whether a picture is a PNG, by its first bytes.
-fn is_png(path: &Path) -> bool {
-    let mut head = [0; 8];
-    let read = File::open(path).and_then(|mut file| file.read_exact(&mut head));
-    read.is_ok() && head == *b"\x89PNG\r\n\x1a\n"
+/// One of the two that are compared.
+struct Side<'a> {
+    path: &'a Path,
+    /// The picture that came through a pipe, which gives its bytes once.
+    piped: Option<Vec<u8>>,
 }
 
-fn open(path: &Path, tone_map: &ToneMap) -> Result<Shown, Failure> {
-    Shown::open(path, tone_map).map_err(|error| {
-        let reason = if let ShownError::Io(error) = &error { reason(error) } else { error.to_string() };
-        Failure::input(format!("cannot read {}: {reason}", path.display()))
-    })
+impl<'a> Side<'a> {
+    /// What a name is of. Pipes are read here, and may be pictures alone.
+    fn of(path: &'a Path) -> Result<Self, Failure> {
+        if !std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir()) {
+            return Ok(Self { path, piped: None });
+        }
+        let unreadable =
+            |error: std::io::Error| Failure::input(format!("cannot read {}: {}", path.display(), reason(&error)));
+        let (mut pipe, mut bytes) = (File::open(path).map_err(unreadable)?, Vec::new());
+        (&mut pipe).take(8).read_to_end(&mut bytes).map_err(unreadable)?;
+        if !difference::begins_as_picture(&bytes) {
+            let what = format!("cannot compare {}: what comes through a pipe is no PNG, EXR or film", path.display());
+            return Err(
+                Failure::input(what).hint("reports are files in a folder; write what comes out of it to a file")
+            );
+        }
+        pipe.read_to_end(&mut bytes).map_err(unreadable)?;
+        Ok(Self { path, piped: Some(bytes) })
+    }
+
+    fn is_picture(&self) -> bool {
+        self.piped.is_some() || difference::is_picture(self.path)
+    }
+
+    /// Whether a picture is a PNG, by its first bytes.
+    fn is_png(&self) -> bool {
+        let mut head = [0; 8];
+        let read = match &self.piped {
+            Some(bytes) => bytes.as_slice().read_exact(&mut head),
+            None => File::open(self.path).and_then(|mut file| file.read_exact(&mut head)),
+        };
+        read.is_ok() && head == *b"\x89PNG\r\n\x1a\n"
+    }
+
+    fn open(self, tone_map: &ToneMap) -> Result<Shown, Failure> {
+        let shown = match self.piped {
+            Some(bytes) => Shown::from_bytes(bytes, tone_map),
+            None => Shown::open(self.path, tone_map),
+        };
+        shown.map_err(|error| {
+            let reason = if let ShownError::Io(error) = &error { reason(error) } else { error.to_string() };
+            Failure::input(format!("cannot read {}: {reason}", self.path.display()))
+        })
+    }
 }
 
 impl From<CompareError> for Failure {

@@ -9,7 +9,7 @@ use voxtrace_vulkan::{DeviceInfo, Options, Traversal, devices, missing};
 /// List what this machine can render on
 #[derive(clap::Args, Clone, Debug)]
 pub struct DevicesArgs {
-    /// As JSON
+    /// Print JSON instead of text
     #[arg(long)]
     json: bool,
 }

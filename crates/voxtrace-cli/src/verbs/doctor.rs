@@ -2,8 +2,10 @@
 //! its driver is worth.
 
 use crate::failure::{Failure, Kind};
+use crate::import::warn_of_needless;
 use crate::report::Report;
 use crate::session::trace_failure;
+use crate::tracer::DEVICE_VARIABLE;
 use crate::{interrupt, outputs, probes};
 use serde_json::json;
 use std::io::{BufWriter, Write};
@@ -22,14 +24,14 @@ pub struct DoctorArgs {
     /// All sizes of the probes: a minute or more
     #[arg(long, requires = "rt")]
     full: bool,
-    /// As JSON
+    /// Print JSON instead of text
     #[arg(long)]
     json: bool,
     /// Also write the probes' result to this folder, as DEVICE-DRIVER.json and .md
     #[arg(short, long, value_name = "FOLDER", requires = "rt")]
     output: Option<PathBuf>,
-    /// Device by its number or a part of its name, as `voxtrace devices` lists them
-    #[arg(long, value_name = "DEVICE", env = "VOXTRACE_DEVICE", hide_env_values = true)]
+    /// Device that --rt probes, by its number or a part of its name, as `voxtrace devices` lists them
+    #[arg(long, value_name = "DEVICE", env = DEVICE_VARIABLE, hide_env_values = true)]
     device: Option<String>,
 }
 
@@ -37,6 +39,11 @@ impl DoctorArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
         if self.rt {
             return self.probe(report);
+        }
+        // The variable is for all runs.
+        let is_of_variable = self.device.as_deref() == std::env::var(DEVICE_VARIABLE).ok().as_deref();
+        if self.device.is_some() && !is_of_variable {
+            warn_of_needless(std::iter::once("--device"), "without --rt all devices are examined", report);
         }
         let found = Examination::of_this_machine(probes::cache().as_ref());
         crate::stdout::print(&if self.json { format!("{:#}\n", found.json()) } else { found.text() });

@@ -1,25 +1,48 @@
 //! `voxtrace info FILM`: what a film shows, how many samples its pixels have, and how noisy it is.
 
-use super::merge::open_film;
+use super::merge::film_failure;
 use crate::failure::Failure;
+use crate::import::Begun;
 use crate::noise;
 use serde_json::json;
+use std::fs::File;
+use std::io::{Read, Seek};
 use std::path::Path;
-use voxtrace::output::FILM_MAGIC;
+use voxtrace::output::{FILM_MAGIC, FilmFile};
 
-/// Whether a name is that of a film file. A pipe gives its bytes once, and whoever reads the scene needs the first ones, too.
-pub fn is_film(name: &str) -> bool {
-    if !Path::new(name).is_file() {
-        return false;
+/// What a name is of, as its first bytes tell.
+pub enum Found {
+    /// A film.
+    Film(Box<FilmFile>),
+    /// A pipe of something else, which gives its bytes once.
+    Pipe(Begun),
+    /// Something else.
+    Other,
+}
+
+/// Looks at a file or a pipe. What cannot be read is something else: reading it says why.
+pub fn look_at(path: &Path) -> Result<Found, Failure> {
+    let Some(metadata) = std::fs::metadata(path).ok().filter(|metadata| !metadata.is_dir()) else {
+        return Ok(Found::Other);
+    };
+    let mut bytes = Vec::new();
+    let begin = |mut file: File| (&mut file).take(FILM_MAGIC.len() as u64).read_to_end(&mut bytes).map(|_| file);
+    let Ok(mut file) = File::open(path).and_then(begin) else { return Ok(Found::Other) };
+    if bytes == FILM_MAGIC {
+        let read = file.read_to_end(&mut bytes).map_err(Into::into);
+        let film = read.and_then(|_| FilmFile::from_bytes(&bytes));
+        return film.map(|film| Found::Film(film.into())).map_err(|error| film_failure(path, &error));
     }
-    let mut head = [0; 8];
-    let read = std::fs::File::open(name).and_then(|mut file| std::io::Read::read_exact(&mut file, &mut head));
-    read.is_ok() && head == *FILM_MAGIC
+    if metadata.is_file() {
+        // Where `/dev/stdin` is a handle of a file that is open already, both have one place.
+        let _ = file.rewind();
+        return Ok(Found::Other);
+    }
+    Ok(Found::Pipe(Begun::of(bytes, file)))
 }
 
 /// Prints what a film says.
-pub fn print(path: &Path, as_json: bool) -> Result<(), Failure> {
-    let file = open_film(path)?;
+pub fn print(file: &FilmFile, as_json: bool) {
     let (film, frame) = (&file.film, &file.frame);
     let (least, most) = film.sample_range();
     let all: u64 = film.pixels.iter().map(|pixel| u64::from(pixel.samples)).sum();
@@ -43,8 +66,7 @@ pub fn print(path: &Path, as_json: bool) -> Result<(), Failure> {
             "samples": { "asked_for": frame.samples, "least": least, "most": most, "mean": mean },
             "error": error,
         });
-        crate::stdout::print(&format!("{json:#}\n"));
-        return Ok(());
+        return crate::stdout::print(&format!("{json:#}\n"));
     }
     let samples = if least == most { most.to_string() } else { format!("{least} to {most}, {mean:.1} in the mean") };
     let error = match errors.len() {
@@ -64,5 +86,4 @@ pub fn print(path: &Path, as_json: bool) -> Result<(), Failure> {
         frame.samples,
         film.first_sample,
     ));
-    Ok(())
 }

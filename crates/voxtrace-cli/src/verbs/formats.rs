@@ -61,7 +61,7 @@ fn extensions_of(first: &'static str) -> BTreeSet<&'static str> {
 /// List the kinds of files that can be read and written
 #[derive(clap::Args, Clone, Debug)]
 pub struct FormatsArgs {
-    /// As JSON
+    /// Print JSON instead of text
     #[arg(long)]
     json: bool,
 }

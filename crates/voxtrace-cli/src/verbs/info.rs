@@ -1,6 +1,6 @@
 //! `voxtrace info`: what a scene holds and what it costs.
 
-use super::film_info;
+use super::film_info::{self, Found};
 use crate::cuts::span_text;
 use crate::failure::Failure;
 use crate::load::{SceneArgs, into_packed, is_native};
@@ -22,15 +22,23 @@ const MOST_NAMES: usize = 16;
 pub struct InfoArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// As JSON
+    /// Print JSON instead of text
     #[arg(long)]
     json: bool,
 }
 
 impl InfoArgs {
-    pub fn run(self, report: &mut Report) -> Result<(), Failure> {
-        if self.scene.scenes.len() == 1 && film_info::is_film(self.scene.scene()) {
-            return film_info::print(self.scene.scene().as_ref(), self.json);
+    pub fn run(mut self, report: &mut Report) -> Result<(), Failure> {
+        let has_level = self.scene.memory.level.is_some();
+        // A level is read from a file.
+        let path = self.scene.file().filter(|path| self.scene.scenes.len() == 1 && (!has_level || path.is_file()));
+        match path.map_or(Ok(Found::Other), film_info::look_at)? {
+            Found::Film(film) => {
+                film_info::print(&film, self.json);
+                return Ok(());
+            }
+            Found::Pipe(begun) => self.scene.import.begun = begun,
+            Found::Other => {}
         }
         let loaded = self.scene.load(report)?;
         let of_file = |told: fn(&Scene) -> Vec<String>| match &loaded {

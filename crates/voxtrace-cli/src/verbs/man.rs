@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Write the manual pages into a folder: one of the program, and one of each verb
 #[derive(clap::Args, Clone, Debug)]
 pub struct ManArgs {
-    /// Folder, created if missing
+    /// Folder to write to, created if missing
     folder: PathBuf,
 }
 

@@ -23,15 +23,18 @@ pub struct MergeArgs {
 
 /// Reads a film file.
 pub fn open_film(path: &Path) -> Result<FilmFile, Failure> {
-    FilmFile::open(path).map_err(|error| {
-        let reason = if let FilmFileError::Io(error) = &error { reason(error) } else { error.to_string() };
-        let failure = Failure::input(format!("cannot read the film {}: {reason}", path.display()));
-        match error {
-            FilmFileError::Damaged { .. } => failure.hint("render it again"),
-            FilmFileError::Format(_) => failure.hint("films end in .vxf; `render --checkpoint` writes them"),
-            _ => failure,
-        }
-    })
+    FilmFile::open(path).map_err(|error| film_failure(path, &error))
+}
+
+/// The failure of reading a film.
+pub fn film_failure(path: &Path, error: &FilmFileError) -> Failure {
+    let reason = if let FilmFileError::Io(error) = error { reason(error) } else { error.to_string() };
+    let failure = Failure::input(format!("cannot read the film {}: {reason}", path.display()));
+    match error {
+        FilmFileError::Damaged { .. } => failure.hint("render it again"),
+        FilmFileError::Format(_) => failure.hint("films end in .vxf; `render --checkpoint` writes them"),
+        _ => failure,
+    }
 }
 
 impl MergeArgs {

@@ -7,7 +7,7 @@ use voxtrace::scenes;
 /// List the built-in scenes
 #[derive(clap::Args, Clone, Debug)]
 pub struct ScenesArgs {
-    /// As JSON
+    /// Print JSON instead of text
     #[arg(long)]
     json: bool,
 }

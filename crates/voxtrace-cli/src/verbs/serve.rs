@@ -18,7 +18,7 @@ use voxtrace_serve::{Limits, ServeError, Server, Settings};
 #[derive(clap::Args, Clone, Debug)]
 #[command(mut_arg("cluster", |cluster| cluster.hide(true)))]
 pub struct ServeArgs {
-    /// The folder
+    /// Folder whose scenes are shown
     #[arg(value_name = "FOLDER", default_value = ".")]
     folder: PathBuf,
     /// Address and port to listen at; port 0 is any that is free
@@ -33,10 +33,10 @@ pub struct ServeArgs {
     /// Folder of the viewer for pages (voxtrace.js and what lies beside it) [default: `web` beside the program]. Without it, the server traces all pictures
     #[arg(long, value_name = "FOLDER", env = "VOXTRACE_WEB", hide_env_values = true)]
     web: Option<PathBuf>,
-    /// Largest file that is taken; 0 takes none
+    /// Largest file that browsers may upload, for example 500MB; 0 takes none
     #[arg(long, value_name = "BYTES", default_value = "2GB", value_parser = parse::bytes_or_none)]
     max_upload: u64,
-    /// Memory for scenes that are kept; reading a larger one is refused
+    /// Memory for scenes that are kept, for example 8GB; a scene larger than that is refused
     #[arg(long, value_name = "BYTES", default_value = "2GB", value_parser = parse::bytes)]
     memory: u64,
     /// Browsers for which pictures are traced here at the same time
@@ -100,7 +100,9 @@ fn beside_program() -> Option<PathBuf> {
 
 fn failure(error: ServeError) -> Failure {
     match &error {
-        ServeError::Folder { path, error } => Failure::input(format!("{}: {}", path.display(), reason(error))),
+        ServeError::Folder { path, error } => {
+            Failure::input(format!("cannot read {}: {}", path.display(), reason(error)))
+        }
         ServeError::Listen { error: reason, .. } => {
             let hint = match reason.kind() {
                 ErrorKind::AddrInUse => "another program has that port; --listen 127.0.0.1:0 takes one that is free",

@@ -3,7 +3,8 @@
 mod meshes;
 mod plan;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, reason};
+use crate::import::warn_of_needless;
 use crate::levels::LevelsArg;
 use crate::load::is_native;
 use crate::mesh::{MeshArgs, voxelize_failure, watched};
@@ -106,14 +107,20 @@ struct Work {
 impl TilesArgs {
     pub fn run(self, report: &mut Report) -> Result<(), Failure> {
         self.inputs.iter().for_each(|input| voxtrace::import::opened::note(input));
+        self.warn_of_other_stages(report);
         if self.stage != Stage::Plan {
             outputs::check(&self.out)?;
         }
         if matches!(self.stage, Stage::Plan | Stage::Merge) && !is_native(&self.out) {
             return Err(Failure::usage(format!("{}: parts become a .vxt file", self.out.display())));
         }
-        if self.stage != Stage::Join && self.is_mesh()? {
-            return self.run_mesh(report);
+        if self.stage != Stage::Join {
+            let input = self.inputs[0].display();
+            if self.is_mesh()? {
+                warn_of_needless(self.mesh.only_for_points(), &format!("{input} is a mesh"), report);
+                return self.run_mesh(report);
+            }
+            warn_of_needless(self.mesh.only_for_meshes(), &format!("{input} holds points"), report);
         }
         if self.share.is_some() {
             return Err(Failure::usage("--share is about meshes; of a scan each part is of some --files"));
@@ -126,6 +133,29 @@ impl TilesArgs {
             Stage::Voxelize => self.voxelize(report),
             Stage::Merge => self.merge(report),
         }
+    }
+
+    /// Says which options are those of other stages.
+    fn warn_of_other_stages(&self, report: &Report) {
+        let (name, own): (&str, &[&str]) = match self.stage {
+            Stage::Plan => ("plan", &["--parts", "--read-once"]),
+            Stage::Expect => ("expect", &[]),
+            Stage::Survey => ("survey", &["--files", "--survey"]),
+            Stage::Join => ("join", &[]),
+            Stage::Voxelize => ("voxelize", &["--files", "--share", "--survey"]),
+            Stage::Merge => ("merge", &["--survey", "--expected", "--part"]),
+        };
+        let asked = [
+            ("--parts", self.parts.is_some()),
+            ("--files", self.files.is_some()),
+            ("--share", self.share.is_some()),
+            ("--survey", self.survey.is_some()),
+            ("--expected", self.expected.is_some()),
+            ("--read-once", self.read_once),
+            ("--part", !self.part.is_empty()),
+        ];
+        let needless = asked.into_iter().filter(|(option, is_asked)| *is_asked && !own.contains(option));
+        warn_of_needless(needless.map(|(option, _)| option), &format!("`tiles {name}` has no use for that"), report);
     }
 
     fn open(&self) -> Result<Work, Failure> {
@@ -259,5 +289,5 @@ fn survey_of(path: &Path) -> Result<TileSurvey, Failure> {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path).map_err(|error| Failure::input(format!("cannot read {}: {error}", path.display())))
+    fs::read(path).map_err(|error| Failure::input(format!("cannot read {}: {}", path.display(), reason(&error))))
 }

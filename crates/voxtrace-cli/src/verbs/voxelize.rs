@@ -16,7 +16,7 @@ use crate::verbs::convert::{Target, save_failure};
 use crate::volume::{lowered, volume_failure};
 use std::path::{Path, PathBuf};
 use voxtrace::PackedScene;
-use voxtrace::import::{self, Data, Geometry, LargeGeometry, LargeVolume, Limits, opened};
+use voxtrace::import::{self, Data, Geometry, Kind, LargeGeometry, LargeVolume, Limits, opened};
 use voxtrace::scene::LengthUnit;
 use voxtrace::voxelize::{Scale, VoxelizeError, VoxelizeOptions, Written};
 
@@ -74,10 +74,13 @@ impl VoxelizeArgs {
         // Native files are not mapped: what is unpacked takes more memory anyway.
         let options = self.import.options(true);
         let mut opened = self.import.open_all(&self.inputs, &options)?;
+        let reader = opened.reader();
         let budget = self.memory_budget.filter(|_| is_native(out) && !is_edited && !self.import.mesh.fills());
         if let Some(budget) = budget
             && let Some(large) = opened.open_large(budget).map_err(|error| import_failure(&error))?
         {
+            let kind = if large.is_points() { Kind::Points } else { Kind::Mesh };
+            self.import.warn_of_kind(kind, reader, input, report);
             return self.voxelize_large(large, &options.limits, report);
         }
         let budget =
@@ -85,6 +88,7 @@ impl VoxelizeArgs {
         if let Some(budget) = budget
             && let Some(large) = opened.open_large_volume(budget).map_err(|error| import_failure(&error))?
         {
+            self.import.warn_of_kind(Kind::Volume, reader, input, report);
             return self.voxelize_large_volume(large, &options.limits, report);
         }
         let data = match self.import.read(opened, input, report)? {

@@ -378,3 +378,22 @@ fn the_noise_of_a_blurred_frame_can_be_removed() {
     assert_ne!(noisy.samples, clean.samples);
     assert!((noisy.mean() - clean.mean()).abs() < 2.0, "{} {}", noisy.mean(), clean.mean());
 }
+
+#[test]
+fn the_help_of_animate_says_of_its_outputs_and_frames_what_they_are_there() {
+    let folder = Folder::new();
+    let option = |verb: &str, name: &str| {
+        let help = folder.succeed(&[verb, "-h"]);
+        let lines: Vec<&str> = help.lines().collect();
+        let at = lines.iter().position(|line| line.trim_start().starts_with(name)).unwrap();
+        let is_more = |line: &&&str| !line.trim_start().starts_with('-') && !line.trim().is_empty();
+        let rest = lines[at + 1..].iter().take_while(is_more).map(|line| line.trim());
+        std::iter::once(lines[at].trim()).chain(rest).collect::<Vec<_>>().join(" ")
+    };
+    let (output, frames) = (option("animate", "-o, --output"), option("animate", "--frames"));
+    assert!(output.contains("Clip to write: .mp4") && output.contains("####"), "{output}");
+    assert!(frames.contains("all of the animation") && !frames.contains("one turn"), "{frames}");
+    // Those of `render` are as they were.
+    assert!(option("render", "-o, --output").contains("or .vxf for the film itself"));
+    assert!(option("render", "--frames").contains("one turn, or the whole flight"));
+}

@@ -46,6 +46,12 @@ fn the_doctor_says_what_traces_and_what_is_missing() {
     let text = succeed(doctor(&folder, &[]));
     assert!(text.starts_with("voxtrace ") && text.contains(" traces on "), "{text}");
     assert!(text.contains("cpu      ") && text.contains("vulkan   "), "{text}");
+    // Without probes there is no device to choose, and a variable that is for all runs is none to talk about.
+    let mut told = doctor(&folder, &["--device", "9"]);
+    let said = stderr(&told.env_remove("VOXTRACE_DEVICE").output().unwrap());
+    assert!(said.contains("warning: --device changes nothing: without --rt all devices are examined"), "{said}");
+    let said = stderr(&doctor(&folder, &[]).env("VOXTRACE_DEVICE", "9").output().unwrap());
+    assert!(!said.contains("changes nothing"), "{said}");
     let examined = json(&succeed(doctor(&folder, &["--json"])));
     assert!(examined["host"]["threads"].as_u64().unwrap() > 0);
     if cfg!(target_os = "linux") {

@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 66] = [
+    let cases: [(&[&str], &str); 70] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -76,6 +76,10 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["bench", "room.vox", "--cells", "cpu", "--eye", "1,1,1", "--target", "1,1,1"], "stands on its target"),
         (&["convert", "room.vox", "a.stl"], "name it .vxt, .vox"),
         (&["merge", "a.vxf"], "needs an output"),
+        (&["merge", "a.vxf", "-o", "a.png", "-o", "./a.png"], "./a.png is written twice; hint: name each output once"),
+        (&["animate", "room.vox", "--turntable=2", "-o", "a.gif", "-o", "./a.gif"], "./a.gif is written twice"),
+        (&["info", "room.vox", "--voxel-size", "0"], "0 is no length above 0"),
+        (&["info", "room.vox", "--spacing", "1e10"], "not from 1e-9 to 1e9"),
     ];
     for (arguments, expected) in cases {
         let line = folder.fail(arguments, 2);

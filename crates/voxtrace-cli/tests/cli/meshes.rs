@@ -140,3 +140,39 @@ fn a_unit_of_the_file_and_one_of_the_voxels_are_told_apart() {
     let text = folder.succeed(&[&raw[..], &["--unit", "cm", "--spacing", "2", "--voxel-size", "1"]].concat());
     assert!(text.contains("8 x 6 x 4 voxels of 0.01 m"), "{text}");
 }
+
+/// A command of `tiles`.
+fn tiles<'a>(stage: &[&'a str]) -> Vec<&'a str> {
+    [&["tiles"], stage].concat()
+}
+
+#[test]
+fn meshes_of_one_name_and_different_units_are_told_by_their_paths() {
+    let folder = Folder::new();
+    for path in ["a/s.glb", "b/s.glb", "c/s.obj"] {
+        std::fs::create_dir(folder.path(&path[..1])).unwrap();
+        folder.succeed(&["convert", "room.vox", path, "-q"]);
+    }
+    // glTF is in metres, and OBJ says no unit.
+    let all = ["a/s.glb", "b/s.glb", "c/s.obj"];
+    let expected = "error: c/s.obj: this mesh and a/s.glb have different units; hint: --unit says";
+    let large = ["-o", "t.vxt", "--resolution", "30", "--memory-budget", "1"];
+    for arguments in [
+        [&["info"], &all[..], &["--resolution", "30"]].concat(),
+        [&["voxelize"], &all[..], &large[..4]].concat(),
+        [&["voxelize"], &all[..], &large[..]].concat(),
+    ] {
+        let said = folder.fail(&arguments, 3);
+        assert!(said.starts_with(expected), "{arguments:?}: {said}");
+        assert!(!folder.exists("t.vxt"), "{arguments:?}");
+    }
+    folder.succeed(&[&["voxelize"], &all[..], &large[..], &["--unit", "m"]].concat());
+    // Processes that know some of the files each.
+    for (file, found) in [("0..1", "0.found"), ("1..3", "1.found")] {
+        folder.succeed(&tiles(&[&["survey"], &all[..], &["--files", file, "-o", found]].concat()));
+    }
+    folder.succeed(&tiles(&["join", "0.found", "1.found", "-o", "all.found"]));
+    let part = [&["voxelize"], &all[..], &["--survey", "all.found", "--share", "0/2", "-o", "0.part"]].concat();
+    let said = folder.fail(&tiles(&part), 3);
+    assert!(said.starts_with(expected), "{said}");
+}

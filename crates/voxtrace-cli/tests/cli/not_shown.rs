@@ -47,8 +47,16 @@ fn a_gltf_file_that_moves_and_shines_says_what_is_not_shown_and_a_plain_one_noth
     std::fs::write(folder.path("moving.gltf"), moving).unwrap();
     let small = ["--resolution", "8"];
     assert!(not_shown(&folder, "plain.gltf", &small).is_empty());
+    // Morph targets are shown, but for the colours that they have.
+    let colors = document(r#""skins":[{"joints":[0]}],"#, r#","targets":[{"POSITION":0,"COLOR_0":0}]"#, "");
+    std::fs::write(folder.path("colors.gltf"), colors.replace(r#"{"mesh":0}"#, r#"{"mesh":0,"skin":0}"#)).unwrap();
+    assert_eq!(not_shown(&folder, "colors.gltf", &small), ["1 colouring morph target"]);
+    let half = std::fs::read_to_string(folder.path("colors.gltf")).unwrap();
+    let half = half.replace(r#","COLOR_0":0"#, "").replace(r#""attributes":{"#, r#""attributes":{"JOINTS_0":0,"#);
+    std::fs::write(folder.path("half.gltf"), half).unwrap();
+    assert_eq!(not_shown(&folder, "half.gltf", &small), ["1 skin"]);
     let said = not_shown(&folder, "moving.gltf", &small);
-    assert_eq!(said, ["2 animations", "1 morph target", "2 lights", "1 normal map", "KHR_materials_sheen"]);
+    assert_eq!(said, ["2 animations", "2 lights", "1 normal map", "KHR_materials_sheen"]);
     // Larger than memory, the same.
     let output = folder.run(&[&["render", "moving.gltf", "-o", "a.png"], &small[..], &SMALL[..]].concat());
     assert_eq!(stderr(&output).matches("not shown: ").count(), 1);

@@ -39,6 +39,8 @@ fn options_that_cannot_be_are_refused_and_not_offered() {
     let folder = Folder::new();
     assert!(!folder.succeed(&["serve", "--help"]).contains("--cluster"));
     assert!(folder.fail(&["serve", ".", "--cluster", "tcp://127.0.0.1:1"], 2).contains("--cluster is for"));
+    let missing = folder.fail(&["serve", "none", "--listen", "127.0.0.1:0"], 3);
+    assert!(missing.starts_with("error: cannot read none: no such file"), "{missing}");
     for name in ["scans.example:8080", "http://scans.example", ""] {
         let said = folder.fail(&["serve", ".", "--host-name", name], 2);
         assert!(said.contains("without scheme and port"), "{name:?}: {said}");

@@ -267,6 +267,14 @@ fn meshes_of_several_files_are_one_in_memory_beyond_it_and_by_the_commands_of_a_
     folder.succeed(&fewer);
     assert_ne!(folder.bytes("fewer.vxt"), alone, "the comparison sees another rule");
 
+    // What other stages are told changes nothing.
+    let join = ["tiles", "join", "out.survey", "-o", "again.survey", "--files", "0..1", "--part", "x.part"];
+    let said = stderr(&folder.run(&join));
+    assert!(said.contains("warning: --files, --part change nothing: `tiles join` has no use for that"), "{said}");
+    let survey = with(&["tiles", "survey"], &["-o", "x", "--files", "0..1", "--min-points", "2"]);
+    let said = stderr(&folder.run(&survey));
+    assert!(said.contains("--min-points changes nothing: a.obj is a mesh") && !said.contains("--files"), "{said}");
+
     // They are one scene for every verb, and what cannot be is one line.
     let counted = info(&with(&["info", "--json", "--voxel-size", "11cm"], &["--surface", "thin"]));
     assert_eq!(counted["voxels"], all["voxels"]);

@@ -244,7 +244,7 @@ fn info_as_json_has_unit_voxel_size_cameras_hash_and_what_the_reader_left_out() 
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_scene_comes_through_a_pipe_and_pictures_to_compare_are_said_to_need_a_file() {
+fn scenes_films_and_pictures_to_compare_come_through_a_pipe() {
     use crate::common::stderr;
     use std::io::Write;
     use std::process::{Output, Stdio};
@@ -270,11 +270,34 @@ fn a_scene_comes_through_a_pipe_and_pictures_to_compare_are_said_to_need_a_file(
         assert_eq!(voxels(&output.stdout), expected, "{file} as {name}");
     }
     folder.render("a.png", &[]);
-    let output = piped("a.png", &["compare", "/dev/stdin", "a.png"]);
+    folder.succeed(&["render", "room.vox", "-o", "b.png", "-o", "b.vxf", "--size", "40x30", "--spp", "2", "-q"]);
+    let of = |json: &[u8]| serde_json::from_slice::<Value>(json).unwrap()["rmse"].as_f64().unwrap();
+    for name in ["b.png", "b.vxf"] {
+        let output = piped(name, &["compare", "a.png", "/dev/stdin", "--json"]);
+        assert!(output.status.success(), "{name}: {}", stderr(&output));
+        let expected = of(folder.succeed(&["compare", "a.png", name, "--json"]).as_bytes());
+        assert!(of(&output.stdout) == expected && expected > 0.0, "{name}");
+    }
+    let output = piped("room.vox", &["compare", "/dev/stdin", "a.png"]);
     let said = stderr(&output);
     assert_eq!(output.status.code(), Some(3), "{said}");
-    assert!(
-        said.contains("cannot compare /dev/stdin: it is no file") && said.contains("write what comes out of it"),
-        "{said}"
-    );
+    assert!(said.contains("cannot compare /dev/stdin: ") && said.contains("write what comes out of it"), "{said}");
+    // Films come through pipes, too, and where a scene is to be they are told for what they are.
+    folder.succeed(&["render", "room.vox", "-o", "a.vxf", "--size", "40x30", "--spp", "2", "-q"]);
+    folder.succeed(&["merge", "a.vxf", "-o", "of_file.png", "-q"]);
+    let output = piped("a.vxf", &["merge", "/dev/stdin", "-o", "of_pipe.png", "-q"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(folder.bytes("of_pipe.png"), folder.bytes("of_file.png"));
+    let output = piped("a.vxf", &["info", "/dev/stdin"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(crate::common::stdout(&output), folder.succeed(&["info", "a.vxf"]));
+    let output = piped("a.vxf", &["render", "/dev/stdin"]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(3), "{said}");
+    assert!(said.contains("/dev/stdin: not supported: a film (.vxf)") && said.contains("voxtrace merge"), "{said}");
+    // What ends within the first bytes is told as it is from a file.
+    std::fs::write(folder.path("short"), "voxf").unwrap();
+    let output = piped("short", &["info", "/dev/stdin"]);
+    assert!(stderr(&output).contains("/dev/stdin: unknown format"), "{}", stderr(&output));
+    assert!(folder.fail(&["convert", "a.vxf", "a.glb"], 3).contains("a.vxf: not supported: a film (.vxf)"));
 }

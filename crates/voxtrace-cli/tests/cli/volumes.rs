@@ -166,3 +166,37 @@ fn a_ct_that_is_not_in_hounsfield_units_is_told_before_it_is_a_box() {
     assert!(text.contains("hardly Hounsfield units") && text.contains("--threshold 724"), "{text}");
     assert!(!said(&["--threshold", "724"]).contains("Hounsfield"));
 }
+
+#[test]
+fn options_about_something_of_another_kind_are_told_to_change_nothing() {
+    let folder = Folder::new();
+    write_block(&folder);
+    std::fs::write(folder.path("a.obj"), "v 0 0 0\nv 4 0 0\nv 0 4 1\nf 1 2 3\n").unwrap();
+    std::fs::write(folder.path("a.xyz"), "0 0 0\n10 0 0\n0 10 0\n").unwrap();
+    let nrrd = b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 2 2\nencoding: raw\n\n\x09\x09\x09\x09\x09\x09\x09\x09\x09\x09\x09\x09";
+    std::fs::write(folder.path("a.nrrd"), nrrd).unwrap();
+    let told = |options: &[&str]| stderr(&folder.run(&[&["info"], options].concat()));
+    let small = ["--resolution", "8"];
+    for (name, options, expected) in [
+        ("a.obj", &["--transfer", "ct-bone"][..], "--transfer changes nothing: a.obj is a mesh"),
+        ("a.obj", &["--shell", "false"], "--shell changes nothing: a.obj is a mesh"),
+        ("a.obj", &["--series", "2", "--min-points", "3"], "--min-points, --series change nothing: a.obj is a mesh"),
+        ("a.xyz", &["--threshold", "5", "--fill"], "--fill, --threshold change nothing: a.xyz holds points"),
+        ("a.nrrd", &["--series", "2"], "--series changes nothing: a.nrrd (NRRD) has none to choose from"),
+        (
+            "block.mhd",
+            &["--surface", "thin", "--color-by", "rgb"],
+            "--surface, --color-by change nothing: block.mhd is a volume",
+        ),
+    ] {
+        let said = told(&[&[name], &small[..], options].concat());
+        assert!(said.lines().any(|line| line == format!("warning: {expected}")), "{name} {options:?}: {said}");
+        assert!(!told(&[&[name], &small[..]].concat()).contains("nothing"), "{name}");
+    }
+    // Those that choose something are not among them, also where there is only one.
+    assert!(!told(&["a.nrrd", "--channel", "1", "--time", "1", "--shell", "true"]).contains("nothing"));
+    // What stays in its file says the same.
+    let large = ["voxelize", "block.mhd", "-o", "block.vxt", "--memory-budget", "1", "--series", "4", "--fill"];
+    let said = stderr(&folder.run(&large));
+    assert!(said.contains("--series changes nothing: block.mhd (MetaImage)"), "{said}");
+}

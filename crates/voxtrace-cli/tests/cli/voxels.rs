@@ -58,6 +58,9 @@ fn options_of_what_becomes_voxels_are_told_to_change_nothing_of_what_is_voxels()
         assert!(told(&[name, "--surface", "thin", "--spacing", "2"]).contains("--surface, --spacing change nothing: "));
         assert_eq!(told(&[name, "--palette", "9", "--color-by", "auto"]), "");
     }
+    for name in ["room.vox", "room.vxt"] {
+        assert!(told(&[name, "--shell", "true"]).contains("--shell changes nothing: the voxels of "), "{name}");
+    }
     let made = told(&["city", "--voxels", "5000", "--resolution", "64", "--unit", "m", "--block-size", "2"]);
     assert!(made.contains("--resolution, --unit, --block-size change nothing: city is made"), "{made}");
     assert_eq!(told(&["city", "--voxels", "5000"]), "");

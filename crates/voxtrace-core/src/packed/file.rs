@@ -13,7 +13,7 @@ use super::{
     settings::{EnvironmentSections, LensRecord, Settings},
     streamed,
 };
-use crate::atomic_file::write_atomically;
+use crate::atomic_file::write_atomically_while;
 use bytemuck::{Pod, Zeroable};
 use std::fs::File;
 use std::io::{self, Seek, Write};
@@ -127,10 +127,18 @@ impl PackedScene {
     /// # Errors
     /// What the operating system reports.
     pub fn save(&self, path: &Path) -> Result<(), FileError> {
+        self.save_while(path, &|| true)
+    }
+
+    /// As [`Self::save`], as long as it is `wanted`, which says no for good: once it is not, saving ends soon, with an error, and the old file is whole.
+    ///
+    /// # Errors
+    /// What the operating system reports, and an error of [`io::ErrorKind::Other`] once it is not wanted.
+    pub fn save_while(&self, path: &Path, wanted: &(dyn Fn() -> bool + Sync)) -> Result<(), FileError> {
         if self.geometry.is_edited {
-            return self.compacted().save(path);
+            return self.compacted().save_while(path, wanted);
         }
-        write_atomically(path, |writer| self.write(writer))
+        write_atomically_while(path, wanted, |writer| self.write(writer))
             .map_err(|error| FileError { path: path.into(), kind: error.into() })
     }
 

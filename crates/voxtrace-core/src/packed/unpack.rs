@@ -12,7 +12,15 @@ use voxtrace_scene::scene::{Instance, Scene};
 impl PackedScene {
     /// The scene with everything that packing keeps, each instance with a grid of its own where they were merged: names of instances, layers and
     /// keyframes are gone.
+    ///
+    /// # Panics
+    /// Never: it is wanted to its end.
     pub fn to_scene(&self) -> Scene {
+        self.to_scene_while(&|| true).expect("nobody stops it")
+    }
+
+    /// As [`Self::to_scene`], as long as it is `wanted`, which several threads ask, and which says no for good; `None` once it is not.
+    pub fn to_scene_while(&self, wanted: &(dyn Fn() -> bool + Sync)) -> Option<Scene> {
         let materials = (self.geometry.materials.iter())
             .map(|packed| Material {
                 base_color: packed.base_color,
@@ -27,9 +35,9 @@ impl PackedScene {
                 scattering: packed.scattering,
             })
             .collect();
-        Scene {
+        Some(Scene {
             name: self.name.clone(),
-            grids: self.kept_grids(),
+            grids: self.kept_grids(wanted)?,
             instances: (self.kept_instances().iter())
                 .map(|instance| Instance::new(instance.grid as usize, instance.world_from_grid))
                 .collect(),
@@ -44,18 +52,25 @@ impl PackedScene {
             georeference: self.georeference.clone(),
             attachments: Vec::new(),
             clips: Vec::new(),
-        }
+        })
     }
 }
 
 impl Geometry {
     pub(crate) fn unpack_grid(&self, grid: &PackedGrid) -> VoxelGrid {
+        self.unpack_grid_while(grid, &|| true).expect("nobody stops it")
+    }
+
+    /// As [`Self::unpack_grid`], as long as it is wanted.
+    pub(super) fn unpack_grid_while(&self, grid: &PackedGrid, wanted: &(dyn Fn() -> bool + Sync)) -> Option<VoxelGrid> {
         let bricks = self.bricks_of(grid);
         let unpack = |&at: &IVec3| {
             let corner = grid.origin + at * 8;
-            (corner >> 3, self.unpack_brick(grid, corner))
+            let brick = if wanted() { self.unpack_brick(grid, corner) } else { Brick::default() };
+            (corner >> 3, brick)
         };
-        VoxelGrid::from_bricks(bricks.par_iter().map(unpack).collect::<Vec<_>>())
+        let bricks: Vec<_> = bricks.par_iter().map(unpack).collect();
+        wanted().then(|| VoxelGrid::from_bricks(bricks))
     }
 
     /// Coordinates of the bricks of a grid, in bricks from its origin.

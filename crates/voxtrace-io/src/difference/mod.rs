@@ -6,6 +6,8 @@ mod map;
 mod shown;
 
 pub use flip::{PIXELS_PER_DEGREE, flip};
+#[doc(hidden)]
+pub use shown::begins_as_picture;
 pub use shown::{Shown, ShownError, is_picture};
 
 use rayon::prelude::*;

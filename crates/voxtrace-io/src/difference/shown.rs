@@ -43,7 +43,13 @@ pub enum ShownError {
 pub fn is_picture(path: &Path) -> bool {
     let mut head = [0; 8];
     let read = File::open(path).and_then(|mut file| file.read_exact(&mut head));
-    read.is_ok() && (head.starts_with(PNG_MAGIC) || head.starts_with(EXR_MAGIC) || head.starts_with(FILM_MAGIC))
+    read.is_ok() && begins_as_picture(&head)
+}
+
+/// Whether bytes begin as a picture does that [`Shown::from_bytes`] reads.
+#[doc(hidden)]
+pub fn begins_as_picture(bytes: &[u8]) -> bool {
+    [PNG_MAGIC, EXR_MAGIC, FILM_MAGIC].iter().any(|magic| bytes.starts_with(magic))
 }
 
 impl Shown {
@@ -54,7 +60,15 @@ impl Shown {
     /// # Errors
     /// [`ShownError`].
     pub fn open(path: &Path, tone_map: &ToneMap) -> Result<Self, ShownError> {
-        let bytes = std::fs::read(path)?;
+        Self::from_bytes(std::fs::read(path)?, tone_map)
+    }
+
+    /// As [`Self::open`], of the bytes of a file.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    #[doc(hidden)]
+    pub fn from_bytes(bytes: Vec<u8>, tone_map: &ToneMap) -> Result<Self, ShownError> {
         if bytes.starts_with(PNG_MAGIC) {
             return of_png(&bytes);
         }

@@ -1,16 +1,16 @@
 //! Heightmaps of scenes, as seen from above: the uppermost voxel of each column, north at the top. ESRI ASCII grids keep the size of
 //! voxels, their place and columns without a voxel; PNG of 16 bits keeps voxels above the lowest one.
 
-use super::{ExportError, bake_failure};
+use super::{ExportError, Wanted, bake_failure, go_on};
 #[cfg(feature = "pictures")]
 use crate::output::png_error;
-use crate::output::write_atomically;
 use glam::{DVec3, IVec3};
 use std::io::{self, Write};
 use std::path::Path;
-use voxtrace_scene::grid::{VoxelBox, VoxelGrid};
+use voxtrace_core::atomic_file::write_atomically_while;
+use voxtrace_scene::grid::VoxelBox;
 use voxtrace_scene::scene::Scene;
-use voxtrace_voxelize::bake::flattened;
+use voxtrace_voxelize::bake::flattened_while;
 
 const ASC: &str = ".asc";
 #[cfg(feature = "pictures")]
@@ -33,8 +33,8 @@ struct Columns {
 }
 
 impl Columns {
-    fn of(scene: &Scene, format: &'static str) -> Result<Self, ExportError> {
-        let (grid, corner) = flattened(scene).map_err(|error| bake_failure(format, error))?;
+    fn of(scene: &Scene, format: &'static str, wanted: Wanted) -> Result<Self, ExportError> {
+        let (grid, corner) = flattened_while(scene, wanted).map_err(|error| bake_failure(format, error))?;
         let Some(bounds) = grid.bounds() else {
             return Err(ExportError::Empty { format });
         };
@@ -42,7 +42,8 @@ impl Columns {
         if size.x * size.y > MOST_COLUMNS {
             return Err(ExportError::TooLarge { format, what: "the columns" });
         }
-        let tops = tops(&grid, bounds);
+        let tops = tops(grid.voxels().take_while(|_| wanted()), bounds);
+        go_on(wanted)?;
         let tops = tops.into_iter().map(|top| top.map(|top| top + corner.z)).collect();
         Ok(Self { bounds: VoxelBox { min: bounds.min + corner, max: bounds.max + corner }, tops })
     }
@@ -56,10 +57,10 @@ impl Columns {
     }
 }
 
-fn tops(grid: &VoxelGrid, bounds: VoxelBox) -> Vec<Option<i32>> {
+fn tops(voxels: impl Iterator<Item = (IVec3, u16)>, bounds: VoxelBox) -> Vec<Option<i32>> {
     let size = bounds.size();
     let mut tops = vec![None; size.x as usize * size.y as usize];
-    for (voxel, _) in grid.voxels() {
+    for (voxel, _) in voxels {
         let (column, row) = (voxel.x - bounds.min.x, bounds.max.y - 1 - voxel.y);
         let top: &mut Option<i32> = &mut tops[row as usize * size.x as usize + column as usize];
         *top = (*top).max(Some(voxel.z));
@@ -73,9 +74,9 @@ fn left_out() -> Vec<String> {
 }
 
 /// Writes the heights of a scene as an ESRI ASCII grid.
-pub fn write_asc(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-    let columns = Columns::of(scene, ASC)?;
-    write_atomically(path, |file| write_grid(file, scene, &columns))
+pub fn write_asc(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
+    let columns = Columns::of(scene, ASC, wanted)?;
+    write_atomically_while(path, wanted, |file| write_grid(file, scene, &columns))
         .map_err(|error| ExportError::Io { path: path.into(), error })?;
     Ok(left_out())
 }
@@ -112,15 +113,15 @@ fn write_grid(file: &mut impl Write, scene: &Scene, columns: &Columns) -> io::Re
 
 /// Writes the heights of a scene as a PNG of 16 bits: voxels above the lowest voxel of the scene; 0 also where there is none.
 #[cfg(feature = "pictures")]
-pub fn write_png(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-    let columns = Columns::of(scene, PNG)?;
+pub fn write_png(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
+    let columns = Columns::of(scene, PNG, wanted)?;
     let low = columns.bounds.min.z;
     let height = |top: Option<i32>| u16::try_from(top.map_or(0, |top| top - low));
     let heights: Result<Vec<u16>, _> = columns.tops.iter().map(|&top| height(top)).collect();
     let too_large = |_| ExportError::TooLarge { format: PNG, what: "heights of more than 65535 voxels" };
     let bytes: Vec<u8> = heights.map_err(too_large)?.into_iter().flat_map(u16::to_be_bytes).collect();
     let size = columns.size().as_uvec3();
-    write_atomically(path, |file| {
+    write_atomically_while(path, wanted, |file| {
         let mut encoder = png::Encoder::new(file, size.x, size.y);
         encoder.set_color(png::ColorType::Grayscale);
         encoder.set_depth(png::BitDepth::Sixteen);

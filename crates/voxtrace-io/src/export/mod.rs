@@ -57,6 +57,17 @@ pub enum ExportError {
         /// What is too much.
         what: &'static str,
     },
+    /// Nobody wants the file any more: there is the old one, or none.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// Whether somebody still wants what is written. It says no for good, and what was made meanwhile is then of no use.
+type Wanted<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// Goes on only where that is wanted.
+fn go_on(wanted: Wanted) -> Result<(), ExportError> {
+    if wanted() { Ok(()) } else { Err(ExportError::Stopped) }
 }
 
 /// What stands in the way of one lattice, as the failure of a format.
@@ -66,6 +77,7 @@ fn bake_failure(format: &'static str, error: BakeError) -> ExportError {
             let reason = "has only quarter turns and mirrors, at scale 1 and whole voxels";
             ExportError::Placement { format, instance, name, reason }
         }
+        BakeError::Stopped => ExportError::Stopped,
         _ => ExportError::TooLarge { format, what: "voxels so far apart" },
     }
 }

@@ -2,16 +2,17 @@
 //! to the viewer, who looks along our +y.
 
 use super::{
-    ExportError, bake_failure,
+    ExportError, Wanted, bake_failure,
     flat_color::{lost_of, shown_srgb},
+    go_on,
 };
-use crate::output::write_atomically;
 use glam::IVec3;
 use rayon::prelude::*;
 use std::io::Write;
 use std::path::Path;
+use voxtrace_core::atomic_file::write_atomically_while;
 use voxtrace_core::packed::Lattice;
-use voxtrace_scene::grid::{MAX_COORDINATE, VoxelGrid};
+use voxtrace_scene::grid::MAX_COORDINATE;
 use voxtrace_scene::scene::{Instance, Scene};
 use voxtrace_voxelize::bake::BakeError;
 
@@ -27,15 +28,16 @@ const SHORTEST_RUN: u64 = 4;
 const LONGEST_NAME: usize = 255;
 
 /// Writes the visible instances of a scene as a Qubicle file. Returns what it does not hold.
-pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
+pub fn write(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
     let colors: Vec<u32> = scene.materials.iter().map(color_of).collect();
     let visible: Vec<_> = scene.instances.iter().enumerate().filter(|(_, one)| scene.is_visible(one)).collect();
     let matrices: Result<Vec<_>, ExportError> =
-        visible.par_iter().map(|&(index, instance)| matrix(scene, index, instance, &colors)).collect();
+        visible.par_iter().map(|&(index, instance)| matrix(scene, index, instance, &colors, wanted)).collect();
+    go_on(wanted)?;
     let matrices: Vec<Vec<u8>> = matrices?.into_iter().flatten().collect();
     let count =
         u32::try_from(matrices.len()).map_err(|_| ExportError::TooLarge { format: FORMAT, what: "the instances" })?;
-    write_atomically(path, |file| {
+    write_atomically_while(path, wanted, |file| {
         // Version, RGBA, z to the viewer, in runs, no masks of faces, and how many.
         for number in [VERSION, 0, 0, 1, 0, count] {
             file.write_all(&number.to_le_bytes())?;
@@ -63,8 +65,14 @@ fn color_of(material: &voxtrace_scene::Material) -> u32 {
     u32::from_le_bytes([red, green, blue, 255])
 }
 
-/// The bytes of an instance, `None` where it has no voxel.
-fn matrix(scene: &Scene, index: usize, instance: &Instance, colors: &[u32]) -> Result<Option<Vec<u8>>, ExportError> {
+/// The bytes of an instance, `None` where it has no voxel; some are missing where they are not wanted any more.
+fn matrix(
+    scene: &Scene,
+    index: usize,
+    instance: &Instance,
+    colors: &[u32],
+    wanted: Wanted,
+) -> Result<Option<Vec<u8>>, ExportError> {
     let way = Lattice::of(&instance.world_from_grid).ok_or_else(|| {
         let off = BakeError::OffLattice { instance: index, name: instance.name.clone() };
         bake_failure(FORMAT, off)
@@ -85,15 +93,21 @@ fn matrix(scene: &Scene, index: usize, instance: &Instance, colors: &[u32]) -> R
     for number in [size.x, size.z, size.y, min.x, min.z, -max.y] {
         bytes.extend(number.to_le_bytes());
     }
-    let layers = layers(grid, |voxel| way.voxel(voxel) - min, size, colors);
-    bytes.par_extend(layers.into_par_iter().flat_map_iter(|layer| runs(layer).into_iter().flat_map(u32::to_le_bytes)));
+    let layers = layers(grid.voxels().take_while(|_| wanted()), |voxel| way.voxel(voxel) - min, size, colors);
+    let layers = layers.into_par_iter().map(|layer| if wanted() { layer } else { Vec::new() });
+    bytes.par_extend(layers.flat_map_iter(|layer| runs(layer).into_iter().flat_map(u32::to_le_bytes)));
     Ok(Some(bytes))
 }
 
 /// The voxels of each layer of the file, from the one farthest from the viewer: place, row by row from below, and colour.
-fn layers(grid: &VoxelGrid, place: impl Fn(IVec3) -> IVec3, size: IVec3, colors: &[u32]) -> Vec<Vec<(u64, u32)>> {
+fn layers(
+    voxels: impl Iterator<Item = (IVec3, u16)>,
+    place: impl Fn(IVec3) -> IVec3,
+    size: IVec3,
+    colors: &[u32],
+) -> Vec<Vec<(u64, u32)>> {
     let mut layers = vec![Vec::new(); size.y as usize];
-    for (voxel, material) in grid.voxels() {
+    for (voxel, material) in voxels {
         let at = place(voxel);
         let along = u64::from(at.z as u32) * u64::from(size.x as u32) + u64::from(at.x as u32);
         layers[(size.y - 1 - at.y) as usize].push((along, colors[usize::from(material)]));

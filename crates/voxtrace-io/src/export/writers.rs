@@ -1,6 +1,6 @@
 //! The table of formats that scenes are written to, besides voxtrace's own, which holds packed scenes.
 
-use super::{ExportError, vox};
+use super::{ExportError, Wanted, vox};
 use std::path::{Path, PathBuf};
 use voxtrace_scene::scene::Scene;
 
@@ -15,8 +15,11 @@ pub struct Writer {
     /// Whether the file has the scene's voxels, or their surface; a heightmap has not.
     pub keeps_voxels: bool,
     companions: fn(&Path) -> Vec<PathBuf>,
-    write: fn(&Path, &Scene) -> Result<Vec<String>, ExportError>,
+    write: Write,
 }
+
+/// Writes a scene as long as it is wanted.
+type Write = fn(&Path, &Scene, Wanted) -> Result<Vec<String>, ExportError>;
 
 /// First line of the materials that are written beside an `.obj` file: it says whose file that is.
 pub const MTL_HEAD: &str = "# materials of voxtrace";
@@ -25,7 +28,7 @@ const VOX_COLORS: usize = 255;
 
 /// All of them.
 pub const WRITERS: &[Writer] = &[
-    Writer { most_colors: Some(VOX_COLORS), ..Writer::new("vox", vox::write) },
+    Writer { most_colors: Some(VOX_COLORS), ..Writer::new("vox", vox::write_while) },
     #[cfg(feature = "mesh")]
     Writer { needs_lattice: false, ..Writer::new("glb", super::mesh::write_glb) },
     #[cfg(feature = "mesh")]
@@ -53,7 +56,7 @@ pub fn writer_of(path: &Path) -> Option<&'static Writer> {
 }
 
 impl Writer {
-    const fn new(extension: &'static str, write: fn(&Path, &Scene) -> Result<Vec<String>, ExportError>) -> Self {
+    const fn new(extension: &'static str, write: Write) -> Self {
         let companions: fn(&Path) -> Vec<PathBuf> = |_| Vec::new();
         Self { extension, most_colors: None, needs_lattice: true, keeps_voxels: true, companions, write }
     }
@@ -69,6 +72,22 @@ impl Writer {
     /// # Errors
     /// If the file cannot be written, or the scene does not fit the format.
     pub fn write(&self, path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-        (self.write)(path, scene)
+        self.write_while(path, scene, &|| true)
+    }
+
+    /// As [`Self::write`], as long as it is `wanted`, which several threads ask, and which says no for good: once it is not, writing ends soon, and the
+    /// old file is untouched.
+    ///
+    /// # Errors
+    /// As [`Self::write`], and [`ExportError::Stopped`].
+    pub fn write_while(
+        &self,
+        path: &Path,
+        scene: &Scene,
+        wanted: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<String>, ExportError> {
+        let written = (self.write)(path, scene, wanted);
+        // Files say it in their own way.
+        written.map_err(|error| if wanted() { error } else { ExportError::Stopped })
     }
 }

@@ -10,11 +10,16 @@ use super::source::Source;
 use super::source::guard::guarded;
 use super::source::input::beyond;
 use super::{finish, load::Loaded};
+use crate::output::FILM_MAGIC;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
 
 /// Most samples along an axis of a volume that stays in its file: rows of them are in memory.
 const LONGEST_AXIS: u64 = 1 << 20;
+
+/// What is said of a film where a scene is to be, whatever the file is called.
+const OF_FILM: &str = "a film (.vxf), which holds the samples of a picture and no scene";
 
 /// A file, a folder or bytes whose format is known, to be read.
 pub struct Opened<'t, 'a> {
@@ -30,6 +35,21 @@ impl<'t> Readers<'t> {
     /// If it cannot be opened or has no known format.
     pub fn open<'a>(self, path: &'a Path, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
         self.opened(Source::open(path, &options.limits)?, options)
+    }
+
+    /// As [`Self::open`], of an open file of which `head` was read already, all from its start on.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    #[doc(hidden)]
+    pub fn open_begun<'a>(
+        self,
+        head: Vec<u8>,
+        file: File,
+        path: &'a Path,
+        options: &'a ImportOptions,
+    ) -> Result<Opened<'t, 'a>, ImportError> {
+        self.opened(Source::of_begun(head, file, path, &options.limits)?, options)
     }
 
     /// Tells the format of bytes in memory; `path` names them in errors and tells their format by its extension where the
@@ -89,13 +109,18 @@ impl<'t> Readers<'t> {
 
     fn opened<'a>(self, mut source: Source<'a>, options: &'a ImportOptions) -> Result<Opened<'t, 'a>, ImportError> {
         let path = source.path();
-        let reader = match source.as_input() {
+        let (reader, is_film) = match source.as_input() {
             Some(input) => {
                 let length = input.remaining();
-                self.of_file(&FileClues { path, head: input.peek(HEAD)?, length, options })
+                let head = input.peek(HEAD)?;
+                let is_film = head.starts_with(FILM_MAGIC) && options.raw.is_none();
+                (self.of_file(&FileClues { path, head, length, options }), is_film)
             }
-            None => self.of_folder(&FolderClues::new(path, &options.limits))?,
+            None => (self.of_folder(&FolderClues::new(path, &options.limits))?, false),
         };
+        if is_film {
+            return Err(ImportError::of_file(path, ImportErrorKind::Unsupported(OF_FILM.into())));
+        }
         let reader = reader.ok_or_else(|| self.unknown(&source))?;
         Ok(Opened { reader, source, options })
     }

@@ -42,6 +42,8 @@ pub use read::{
     detect, geometry_from_bytes, load, load_bytes, mesh_from_bytes, open, open_large, open_large_volume, read,
     read_bytes, read_geometry, read_mesh, read_volume, read_voxels, volume_from_bytes, voxels_from_bytes,
 };
+#[doc(hidden)]
+pub use reader::Several;
 #[cfg(feature = "mesh")]
 pub use reader::TiledMesh;
 pub use reader::{

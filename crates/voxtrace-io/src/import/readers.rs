@@ -85,3 +85,22 @@ impl<'a> Readers<'a> {
         found
     }
 }
+
+#[cfg(all(test, feature = "medical", feature = "volumes"))]
+mod tests {
+    use super::*;
+    use crate::import::reader::{Kind, Several};
+
+    #[test]
+    fn the_table_says_of_what_files_may_have_several() {
+        let with = |wanted: Several| {
+            let readers = READERS.iter().filter(|reader| reader.several.contains(&wanted));
+            readers.map(|reader| reader.name).collect::<Vec<_>>()
+        };
+        assert_eq!(with(Several::Series), ["NumPy archive", "DICOM"]);
+        let (channels, times) = (with(Several::Channels), with(Several::TimePoints));
+        assert!(channels.contains(&"NRRD") && !channels.contains(&"DICOM") && !channels.contains(&"OpenVDB"));
+        assert!(times.contains(&"DICOM") && !times.contains(&"raw samples"), "{times:?}");
+        assert!(READERS.iter().all(|reader| reader.kind == Kind::Volume || reader.several.is_empty()));
+    }
+}

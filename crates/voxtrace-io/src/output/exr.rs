@@ -8,7 +8,7 @@ use exr::prelude::{
     LineOrder, Vec2, WritableImage, f16,
 };
 use glam::Vec3;
-use std::io::{self, Cursor, Write};
+use std::io::{self, Cursor, Seek, SeekFrom, Write};
 use voxtrace_core::film::{AovPixel, Film, Pixel};
 
 /// How a film becomes an EXR.
@@ -27,16 +27,17 @@ pub struct ExrOptions {
 /// # Errors
 /// What the writer or the encoder reports.
 pub fn write_exr(writer: impl Write, film: &Film, options: &ExrOptions, metadata: &Metadata) -> io::Result<()> {
-    write(writer, film, None, options, metadata)
+    write(writer, film, None, options, metadata, &|| true)
 }
 
-/// As [`write_exr`]. Where there is a `denoised` radiance, it is the picture, and the film's own is in the layer `noisy`.
+/// As [`write_exr`], as long as it is `wanted`. Where there is a `denoised` radiance, it is the picture, and the film's own is in the layer `noisy`.
 pub fn write(
     mut writer: impl Write,
     film: &Film,
     denoised: Option<&[Vec3]>,
     options: &ExrOptions,
     metadata: &Metadata,
+    wanted: &dyn Fn() -> bool,
 ) -> io::Result<()> {
     let size = Vec2(film.region.width() as usize, film.region.height() as usize);
     let mut attributes = LayerAttributes {
@@ -57,11 +58,33 @@ pub fn write(
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(film.width as usize, film.height as usize));
 
-    let mut bytes = Cursor::new(Vec::new());
+    let mut bytes = Encoded { bytes: Cursor::new(Vec::new()), wanted };
     image.write().to_buffered(&mut bytes).map_err(io::Error::other)?;
-    let mut bytes = bytes.into_inner();
+    let mut bytes = bytes.bytes.into_inner();
     sort_attributes(&mut bytes).ok_or_else(|| io::Error::other("unexpected EXR header"))?;
     writer.write_all(&bytes)
+}
+
+/// What the encoder has written so far, block by block as they are compressed, as long as it is wanted.
+struct Encoded<'a> {
+    bytes: Cursor<Vec<u8>>,
+    wanted: &'a dyn Fn() -> bool,
+}
+
+impl Write for Encoded<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if (self.wanted)() { self.bytes.write(bytes) } else { Err(io::Error::other("stopped")) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Seek for Encoded<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.bytes.seek(to)
+    }
 }
 
 fn channels(film: &Film, denoised: Option<&[Vec3]>, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {

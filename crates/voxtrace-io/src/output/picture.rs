@@ -4,7 +4,7 @@ use super::{ExrOptions, FilmFile, Metadata, PngDepth, PngOptions, ToneMap, exr, 
 use glam::Vec3;
 use std::io::{self, Write};
 use std::path::Path;
-use voxtrace_core::atomic_file::write_atomically;
+use voxtrace_core::atomic_file::write_atomically_while;
 
 /// Formats that a film is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,6 +67,18 @@ impl FilmFile {
         options: &PictureOptions,
         denoised: Option<&Denoised>,
     ) -> io::Result<()> {
+        self.encode_while(out, format, options, denoised, &|| true)
+    }
+
+    /// As [`Self::encode_denoised`], as long as it is wanted.
+    fn encode_while(
+        &self,
+        out: impl Write,
+        format: PictureFormat,
+        options: &PictureOptions,
+        denoised: Option<&Denoised>,
+        wanted: &(dyn Fn() -> bool + Sync),
+    ) -> io::Result<()> {
         if denoised.is_some_and(|denoised| denoised.radiance.len() != self.film.pixels.len()) {
             return Err(io::ErrorKind::InvalidInput.into());
         }
@@ -84,7 +96,8 @@ impl FilmFile {
                 png::write(out, &self.film, denoised, &options, &metadata)
             }
             PictureFormat::Exr => {
-                exr::write(out, &self.film, denoised, &ExrOptions { half: options.sixteen_bits, alpha }, &metadata)
+                let options = ExrOptions { half: options.sixteen_bits, alpha };
+                exr::write(out, &self.film, denoised, &options, &metadata, wanted)
             }
             PictureFormat::Film => Err(io::ErrorKind::Unsupported.into()),
         }
@@ -104,9 +117,29 @@ impl FilmFile {
     /// # Errors
     /// As [`Self::save_picture`] and [`Self::encode_denoised`].
     pub fn save_denoised(&self, path: &Path, options: &PictureOptions, denoised: Option<&Denoised>) -> io::Result<()> {
+        self.save_denoised_while(path, options, denoised, &|| true)
+    }
+
+    /// As [`Self::save_denoised`], as long as it is `wanted`, which says no for good: once it is not, saving ends soon, and the file is what it was before.
+    /// Only the compression of a PNG is not interrupted.
+    ///
+    /// # Errors
+    /// As [`Self::save_denoised`], and one of [`io::ErrorKind::Other`] once it is not wanted.
+    pub fn save_denoised_while(
+        &self,
+        path: &Path,
+        options: &PictureOptions,
+        denoised: Option<&Denoised>,
+        wanted: &(dyn Fn() -> bool + Sync),
+    ) -> io::Result<()> {
         match PictureFormat::of(path).ok_or(io::ErrorKind::InvalidFilename)? {
-            PictureFormat::Film => self.save(path),
-            format => write_atomically(path, |out| self.encode_denoised(out, format, options, denoised)),
+            PictureFormat::Film => {
+                let bytes = self.to_bytes();
+                write_atomically_while(path, wanted, |out| out.write_all(&bytes))
+            }
+            format => {
+                write_atomically_while(path, wanted, |out| self.encode_while(out, format, options, denoised, wanted))
+            }
         }
     }
 }

@@ -6,10 +6,15 @@ use crate::transform::Transform;
 /// Parts of a frame that are told apart: what rounding leaves of a whole number of frames is that number.
 const STEPS: f64 = 1e6;
 
+/// A number of steps, or of frames, without what rounding left.
+pub(super) fn whole_steps(steps: f64) -> f64 {
+    (steps * STEPS).round() / STEPS
+}
+
 /// The grid that an instance shows at a frame of its keyframes, counted from 0, and where it stands.
 pub fn placed_at(instance: &Instance, frame: f64) -> (usize, Transform) {
     let keys = &instance.keyframes;
-    let mut frame = (frame * STEPS).round() / STEPS;
+    let mut frame = whole_steps(frame);
     if let Some(cycle) = instance.repeats.clone().filter(|cycle| !cycle.is_empty()) {
         let (start, length) = (f64::from(cycle.start), f64::from(cycle.end - cycle.start));
         if frame >= start {

@@ -13,7 +13,9 @@ pub use camera::{CameraMotion, CameraTrack, LookAt};
 pub use curve::{Curve, Ease, Interpolation};
 pub use keyframes::{keyframe_count, placed_at};
 pub use motion::{Motion, PoseKey};
-pub use nodes::{Attached, Channel, Clip, KeyKind, KeyTrack, MovingNode, NodeMotion, NodePose, Playback};
+pub use nodes::{
+    Attached, Channel, Clip, KeyKind, KeyTrack, MovingNode, NodeMotion, NodePose, Playback, Shape, ShapeSteps,
+};
 /// For meshes whose nodes move, in other crates of voxtrace: not covered by semantic versioning.
 #[doc(hidden)]
 pub use nodes::{similarity_of, turn_of};
@@ -232,6 +234,7 @@ mod tests {
             world_from_file: DAffine3::IDENTITY,
             instances: vec![Attached { index: 0, node: 0, node_from_own: DAffine3::IDENTITY }],
             cameras: Vec::new(),
+            shapes: Vec::new(),
         };
         scene.clips = vec![Clip { name: "grows".into(), seconds: 3.0, motion: Some(motion.into()) }];
         let track =
@@ -239,6 +242,64 @@ mod tests {
         let animation = Animation { clip: Playback::Once, objects: vec![track], ..Animation::default() };
         let hidden = [0.5, 1.5, 2.5].map(|seconds| animation.scene_at(&scene, seconds).instances[0].hidden);
         assert_eq!(hidden, [true, false, true]);
+    }
+
+    #[test]
+    fn an_instance_has_a_shape_from_each_step_until_the_next() {
+        let mut scene = scene();
+        let goes = KeyTrack::new(vec![0.0, 2.0], vec![[0.0; 3], [8.0, 0.0, 0.0]], KeyKind::Linear).unwrap();
+        let rest = NodePose { translation: DVec3::ZERO, rotation: DQuat::IDENTITY, scale: DVec3::ONE };
+        let (parent_from_outer, channels) = (DAffine3::IDENTITY, vec![Channel::Translation(goes)]);
+        let at = |y: f64| DAffine3::from_translation(DVec3::Y * y);
+        let shapes = vec![Shape { grid: 1, node_from_grid: at(3.0) }, Shape { grid: 0, node_from_grid: at(5.0) }];
+        let steps = ShapeSteps { index: 0, node: 0, rate: 3.0, shapes, steps: vec![Some(0), Some(1), None, Some(0)] };
+        let motion = NodeMotion {
+            nodes: vec![MovingNode { parent: None, parent_from_outer, rest, channels }],
+            world_from_file: DAffine3::IDENTITY,
+            instances: vec![Attached { index: 0, node: 0, node_from_own: DAffine3::IDENTITY }],
+            cameras: Vec::new(),
+            shapes: vec![steps],
+        };
+        let first = motion.all_shapes().into_iter().map(|(index, grid, placed)| (index, grid, placed.translation));
+        let third = 4.0f64 / 3.0;
+        assert_eq!(first.collect::<Vec<_>>(), [(0, 1, Vec3::Y * 3.0), (0, 0, DVec3::new(third, 5.0, 0.0).as_vec3())]);
+        scene.clips = vec![Clip { name: "bends".into(), seconds: 2.0, motion: Some(motion.into()) }];
+        let shown = |clip: Playback, seconds: f64| {
+            let instance = &Animation { clip, ..Animation::default() }.scene_at(&scene, seconds).instances[0];
+            (!instance.hidden).then_some((instance.grid, instance.world_from_grid.translation))
+        };
+        let once = |seconds: f64| shown(Playback::Once, seconds);
+        assert_eq!(once(0.25), Some((1, Vec3::new(1.0, 3.0, 0.0))), "it moves between steps");
+        assert_eq!((once(0.5), once(0.75)), (Some((0, Vec3::new(2.0, 5.0, 0.0))), None));
+        // A third of a second is a step, whatever the rounding.
+        assert_eq!(once(1.0 / 3.0).map(|(grid, _)| grid), Some(0));
+        assert_eq!((once(1.0), once(90.0)), (Some((1, Vec3::new(4.0, 3.0, 0.0))), Some((1, Vec3::new(8.0, 3.0, 0.0)))));
+        assert_eq!(shown(Playback::Repeated, 2.5), once(0.5));
+        assert_ne!(shown(Playback::Repeated, 2.5), once(2.5), "the comparison sees another time");
+    }
+
+    #[test]
+    fn a_shape_that_is_seen_only_after_its_step_has_begun_is_one_of_all() {
+        // It has a size from half a second on, and its only step begins at 0.
+        let grows = KeyTrack::new(vec![0.0, 0.5], vec![[0.0; 3], [2.0; 3]], KeyKind::Step).unwrap();
+        let rest = NodePose { translation: DVec3::X * 4.0, rotation: DQuat::IDENTITY, scale: DVec3::ONE };
+        let (parent_from_outer, channels) = (DAffine3::IDENTITY, vec![Channel::Scale(grows)]);
+        let shapes = vec![Shape { grid: 1, node_from_grid: DAffine3::from_translation(DVec3::Y) }];
+        let motion = NodeMotion {
+            nodes: vec![MovingNode { parent: None, parent_from_outer, rest, channels }],
+            world_from_file: DAffine3::IDENTITY,
+            instances: vec![Attached { index: 0, node: 0, node_from_own: DAffine3::IDENTITY }],
+            cameras: Vec::new(),
+            shapes: vec![ShapeSteps { index: 0, node: 0, rate: 1.0, shapes, steps: vec![Some(0)] }],
+        };
+        let mut now = scene();
+        motion.apply(&scene(), &mut now, 0.25);
+        assert!(now.instances[0].hidden);
+        motion.apply(&scene(), &mut now, 0.75);
+        assert_eq!((now.instances[0].hidden, now.instances[0].grid), (false, 1));
+        let all = motion.all_shapes();
+        assert_eq!(all, [(0, 1, Transform::from_translation(Vec3::new(4.0, 1.0, 0.0)))]);
+        assert_ne!(now.instances[0].world_from_grid, all[0].2, "the place at rest is another one");
     }
 
     #[test]

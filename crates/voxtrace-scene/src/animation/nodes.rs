@@ -1,6 +1,7 @@
 //! Nodes that move, as files with a tree of nodes have them (Khronos, "glTF 2.0 Specification", sections 3.11 and C): each has a translation, a
 //! rotation and a scale, which follow keys. What hangs on them moves along.
 
+use super::keyframes::whole_steps;
 use super::turn::slerp;
 use crate::scene::Scene;
 use crate::transform::Transform;
@@ -30,6 +31,8 @@ pub struct NodeMotion {
     pub instances: Vec<Attached>,
     /// Cameras of the scene: they look along −z of their own space, with y up.
     pub cameras: Vec<Attached>,
+    /// Which of the instances change their shape.
+    pub shapes: Vec<ShapeSteps>,
 }
 
 /// What hangs on a node.
@@ -41,6 +44,30 @@ pub struct Attached {
     pub node: usize,
     /// From its own space, for instances that of the grid, to the space of the node.
     pub node_from_own: DAffine3,
+}
+
+/// An instance that changes its shape in even steps: it shows a grid from each step until the next, and the last one for ever.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShapeSteps {
+    /// Index into the instances, one of those of [`NodeMotion::instances`].
+    pub index: usize,
+    /// Index into [`NodeMotion::nodes`].
+    pub node: usize,
+    /// Steps a second, above 0; the first is at 0 s.
+    pub rate: f64,
+    /// The shapes, each once.
+    pub shapes: Vec<Shape>,
+    /// For each step the index into `shapes`; `None` where nothing is seen.
+    pub steps: Vec<Option<usize>>,
+}
+
+/// One of the shapes of an instance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// Index into [`Scene::grids`].
+    pub grid: usize,
+    /// From the space of the grid to that of the node.
+    pub node_from_grid: DAffine3,
 }
 
 /// A node that moves.
@@ -146,6 +173,12 @@ impl<const N: usize> KeyTrack<N> {
         }
     }
 
+    /// The numbers at a time, in seconds, where each goes its own way. Before the first key and after the last they hold.
+    #[doc(hidden)]
+    pub fn evenly_at(&self, time: f64) -> [f64; N] {
+        self.at(time, evenly)
+    }
+
     fn value(&self, key: usize) -> [f64; N] {
         self.values[if self.kind == KeyKind::Cubic { 3 * key + 1 } else { key }].map(f64::from)
     }
@@ -175,7 +208,7 @@ impl<const N: usize> KeyTrack<N> {
     }
 }
 
-fn evenly(from: [f64; 3], to: [f64; 3], share: f64) -> [f64; 3] {
+fn evenly<const N: usize>(from: [f64; N], to: [f64; N], share: f64) -> [f64; N] {
     std::array::from_fn(|n| from[n] + (to[n] - from[n]) * share)
 }
 
@@ -232,17 +265,34 @@ impl Channel {
     }
 }
 
+impl MovingNode {
+    /// Its own pose at a time, in seconds, or at rest.
+    #[doc(hidden)]
+    pub fn pose_at(&self, time: Option<f64>) -> NodePose {
+        let mut pose = self.rest;
+        if let Some(time) = time {
+            self.channels.iter().for_each(|channel| channel.apply(&mut pose, time));
+        }
+        pose
+    }
+}
+
+impl ShapeSteps {
+    /// The shape at a time, in seconds; `None` where nothing is seen.
+    pub fn at(&self, time: f64) -> Option<&Shape> {
+        let step = whole_steps(time * self.rate).floor().max(0.0) as usize;
+        let last = self.steps.len().checked_sub(1)?;
+        self.shapes.get(self.steps[step.min(last)]?)
+    }
+}
+
 impl NodeMotion {
     /// Where the nodes are at a time, in seconds, or all at rest: from the space of each to that of the file.
     pub fn nodes_at(&self, time: Option<f64>) -> Vec<DAffine3> {
         let mut maps: Vec<DAffine3> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
-            let mut pose = node.rest;
-            if let Some(time) = time {
-                node.channels.iter().for_each(|channel| channel.apply(&mut pose, time));
-            }
             let outer = node.parent.map_or(node.parent_from_outer, |parent| maps[parent] * node.parent_from_outer);
-            maps.push(outer * pose.map());
+            maps.push(outer * node.pose_at(time).map());
         }
         maps
     }
@@ -256,22 +306,59 @@ impl NodeMotion {
     pub(super) fn place(&self, original: &Scene, now: &mut Scene, time: f64) -> FxHashSet<usize> {
         let maps = self.nodes_at(Some(time));
         let mut flat = FxHashSet::default();
-        for own in &self.instances {
-            let (Some(instance), Some(original)) =
-                (now.instances.get_mut(own.index), original.instances.get(own.index))
-            else {
-                continue;
+        let mut put = |index: usize, placed: Option<Transform>, grid: Option<usize>| {
+            let (Some(instance), Some(original)) = (now.instances.get_mut(index), original.instances.get(index)) else {
+                return;
             };
-            let map = self.world_from_file * maps[own.node] * own.node_from_own;
-            let placed = similarity_of(&map).map(|(transform, _)| transform);
             instance.world_from_grid = placed.unwrap_or(original.world_from_grid);
             instance.hidden = original.hidden || placed.is_none();
-            instance.grid = original.grid;
+            instance.grid = grid.unwrap_or(original.grid);
             if placed.is_none() {
-                flat.insert(own.index);
+                flat.insert(index);
+            } else {
+                flat.remove(&index);
             }
+        };
+        for own in &self.instances {
+            put(own.index, self.placed(&maps[own.node], &own.node_from_own), None);
+        }
+        for own in &self.shapes {
+            let shape = own.at(time);
+            let placed = shape.and_then(|shape| self.placed(&maps[own.node], &shape.node_from_grid));
+            put(own.index, placed, shape.map(|shape| shape.grid));
         }
         flat
+    }
+
+    /// Where something is in the world that hangs on a node; `None` where it has no size.
+    fn placed(&self, file_from_node: &DAffine3, node_from_own: &DAffine3) -> Option<Transform> {
+        similarity_of(&(self.world_from_file * *file_from_node * *node_from_own)).map(|(transform, _)| transform)
+    }
+
+    /// Every shape of the instances that change theirs, where it is when a step first shows it with a size, else at rest: the index of the instance, the
+    /// grid and its place.
+    #[doc(hidden)]
+    pub fn all_shapes(&self) -> Vec<(usize, usize, Transform)> {
+        let mut all = Vec::new();
+        for own in &self.shapes {
+            let mut places = vec![None; own.shapes.len()];
+            for (step, shape) in own.steps.iter().enumerate() {
+                let Some(shape) = shape.filter(|&shape| places.get(shape) == Some(&None)) else { continue };
+                let file_from_node = self.node_at(own.node, Some(step as f64 / own.rate));
+                places[shape] = self.placed(&file_from_node, &own.shapes[shape].node_from_grid);
+            }
+            for (shape, place) in own.shapes.iter().zip(places) {
+                let at_rest = || self.placed(&self.node_at(own.node, None), &shape.node_from_grid);
+                all.push((own.index, shape.grid, place.or_else(at_rest).unwrap_or(Transform::IDENTITY)));
+            }
+        }
+        all
+    }
+
+    /// As [`Self::nodes_at`], of one node.
+    fn node_at(&self, node: usize, time: Option<f64>) -> DAffine3 {
+        let above = std::iter::successors(self.nodes.get(node), |node| self.nodes.get(node.parent?));
+        above.fold(DAffine3::IDENTITY, |map, node| node.parent_from_outer * node.pose_at(time).map() * map)
     }
 
     /// From the own space of one of [`Self::cameras`] to the world.

@@ -104,7 +104,13 @@ impl Joined {
     fn add(&mut self, part: &Part, known: &mut HashMap<String, usize>) -> Result<(), Invalid> {
         let frame = &mut self.frame;
         if part.frame.unit != frame.unit {
-            return Err(format!("{} and {} have different units", frame.name, part.frame.name).into());
+            // Two files may have one name.
+            let number = if part.frame.name == frame.name {
+                format!(" (mesh {})", self.places.len() + 1)
+            } else {
+                String::new()
+            };
+            return Err(format!("{} and {}{number} have different units", frame.name, part.frame.name).into());
         }
         let shift = part.frame.offset - frame.offset;
         let first_texture = frame.textures.len();
@@ -289,6 +295,9 @@ mod tests {
         let other = Mesh { unit: LengthUnit::METRE, ..triangle("other", DVec3::ZERO, Vec3::ZERO) };
         let error = Joined::of(&[&one, &other].map(Part::of)).unwrap_err().to_string();
         assert_eq!(error, "one and other have different units");
+        let alike = Mesh { name: "one".into(), ..other };
+        let error = Joined::of(&[&one, &one, &alike].map(Part::of)).unwrap_err().to_string();
+        assert_eq!(error, "one and one (mesh 3) have different units");
         assert!(Joined::of(&[]).is_err());
         let mut joined = Joined::of(&[&one, &one].map(Part::of)).unwrap();
         let changed = Mesh { materials: vec![MeshMaterial::default(); 2], ..one.clone() };

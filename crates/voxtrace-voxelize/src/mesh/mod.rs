@@ -1,11 +1,13 @@
 //! Triangle meshes, as importers make them and the voxelizer takes them: positions with an offset in f64, texture
 //! coordinates, vertex colours and materials. Space is right-handed, z up.
 
+mod changing;
 pub mod joined;
 pub mod polygon;
 pub mod source;
 mod texture;
 
+pub use changing::{ChangingPart, PartShapes};
 pub use texture::{Texture, Wrap};
 
 use glam::{DAffine3, DMat3, DVec3, Vec2, Vec3, Vec4};
@@ -55,6 +57,8 @@ pub struct MovingParts {
     pub meshes: Vec<Mesh>,
     /// Which of them is seen where a node carries it, and its name.
     pub placed: Vec<(usize, String)>,
+    /// Which of them change their shape.
+    pub changing: Vec<ChangingPart>,
 }
 
 /// The material of triangles. Colours are linear.

@@ -6,6 +6,7 @@ use super::triangle::Triangle;
 use super::{Placement, SurfaceRule, VoxelizeError, VoxelizeOptions, moving};
 use crate::mesh::Mesh;
 use crate::points::PointCloud;
+use glam::DVec3;
 use rayon::prelude::*;
 
 /// Estimated size of the scene that voxelizing would make.
@@ -54,6 +55,12 @@ pub(super) fn voxels_of(mesh: &Mesh, placement: &Placement, rule: SurfaceRule) -
         })
         .collect();
     sums.iter().sum()
+}
+
+/// The voxels that a closed mesh encloses: the sum of the tetrahedra between its triangles and the corner of the grid.
+pub(super) fn enclosed_by(mesh: &Mesh, placement: &Placement) -> f64 {
+    let triangles = (0..mesh.triangle_count()).filter_map(|index| Triangle::of(mesh, placement, index));
+    triangles.map(|triangle| DVec3::from_array(triangle.corners[0]).dot(triangle.normal) / 6.0).sum::<f64>().abs()
 }
 
 /// Bytes of a packed scene of so many voxels, of one material (`is_plain`) or of many.

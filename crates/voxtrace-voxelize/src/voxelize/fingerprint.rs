@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use xxhash_rust::xxh3::Xxh3;
 
 /// To be raised with every change of how work is cut into steps, or of the bricks that steps make.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 /// The fingerprint of a mesh in memory.
 pub(super) fn of_mesh(mesh: &Mesh, options: &VoxelizeOptions) -> u128 {

@@ -25,6 +25,7 @@ mod points;
 mod polygon;
 mod progress;
 mod recolor;
+mod shapes;
 mod six_separating;
 mod spill;
 mod surface;

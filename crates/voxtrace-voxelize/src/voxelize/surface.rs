@@ -61,13 +61,13 @@ pub(super) fn run_tiles(
         progress.begin(before + pairs.len() as u64);
         run_columns(job, &tiles, &mut pairs, spill, limits, progress)?;
     }
-    let (bands, total) = match options.memory_budget {
+    let (bands, total) = match most_pairs(mesh, options) {
         _ if options.fill => (Vec::new(), None),
         None => (vec![(0..tiles.layers(), None)], None),
-        Some(budget) => {
+        Some(most) => {
             let by_layer = binning::pairs_by_layer(mesh, placement, &tiles);
             let sum = |layers: &Range<usize>| by_layer[layers.clone()].iter().sum::<u64>();
-            let bands = bands(&by_layer, pairs_within(budget, mesh.size_bytes()));
+            let bands = bands(&by_layer, most);
             (
                 bands.into_iter().map(|layers| (layers.clone(), Some(sum(&layers)))).collect(),
                 Some(by_layer.iter().sum()),
@@ -81,6 +81,18 @@ pub(super) fn run_tiles(
         run_band(job, &tiles, &pairs, part as u32, announced, spill, limits, progress)?;
     }
     Ok(())
+}
+
+/// How many (tile, triangle) pairs there may be at once; `None` where there is no need to ask.
+fn most_pairs(mesh: &Mesh, options: &VoxelizeOptions) -> Option<u64> {
+    /// Triangles whose pairs are little beside what else there is.
+    const FEW: usize = 1 << 24;
+    /// Half a gigabyte, as two lists of them exist at once.
+    const MANY: u64 = 1 << 25;
+    match options.memory_budget {
+        Some(budget) => Some(pairs_within(budget, mesh.size_bytes())),
+        None => (mesh.triangle_count() > FEW).then_some(MANY),
+    }
 }
 
 /// Voxelizes whole columns of tiles, interiors included.
@@ -176,4 +188,21 @@ pub(super) fn run_band(
     // Announced was an upper bound.
     progress.add(announced - told);
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn pairs_of_many_triangles_are_made_in_parts_also_without_a_budget() {
+        let mesh =
+            |count: usize| Mesh { positions: vec![Vec3::ZERO], triangles: vec![[0; 3]; count], ..Mesh::new("many") };
+        let options = VoxelizeOptions::default();
+        assert_eq!(most_pairs(&mesh(1 << 10), &options), None);
+        assert_eq!(most_pairs(&mesh((1 << 24) + 1), &options), Some(1 << 25));
+        let budget = VoxelizeOptions { memory_budget: Some(8 << 30), ..options };
+        assert_eq!(most_pairs(&mesh(1 << 10), &budget), Some(pairs_within(8 << 30, mesh(1 << 10).size_bytes())));
+    }
 }

@@ -1,6 +1,7 @@
 //! What becomes of files: every format read and written, whole and damaged, and what the library makes of grids. One program, so that its code is
 //! linked once and tests of all modules run side by side. `cargo test -p voxtrace --test files native::` runs one module.
 
+mod bending;
 #[path = "../../../../fuzz/check/volume.rs"]
 mod check_volume;
 #[path = "../../../../fuzz/check/voxels.rs"]

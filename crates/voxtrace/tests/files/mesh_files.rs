@@ -14,7 +14,7 @@ use std::path::Path;
 use voxtrace::Scene;
 use voxtrace::glam::{IVec3, Vec3};
 use voxtrace::import::{self, ImportError, ImportErrorKind, ImportOptions, Limits};
-use voxtrace::mesh::UpAxis;
+use voxtrace::mesh::{Mesh, UpAxis};
 use voxtrace::scene::Unit;
 use voxtrace::voxelize::{self, Scale, VoxelizeOptions};
 use voxtrace_test_support::{data, files_below};
@@ -241,6 +241,66 @@ fn a_gltf_that_wants_what_is_not_read_names_the_extension() {
         let error = scene_from("a.gltf", packed.as_bytes(), &options(8)).unwrap_err();
         assert!(error.to_string().contains(wanted), "{error}");
     }
+}
+
+#[test]
+fn a_glb_whose_arrays_stay_in_the_file_until_they_are_needed_is_that_in_memory_whole_and_damaged() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("house.glb");
+    let (whole, mut random) = (mesh_samples::glb(), Random(77));
+    let told = |result: Result<Mesh, ImportError>| match result {
+        // Numbers that are none are not equal to themselves.
+        Ok(mesh) => format!("{mesh:?}"),
+        Err(error) => error.to_string(),
+    };
+    let (mut read, mut refused, mut found) = (0, 0, Vec::new());
+    for round in 0..600 {
+        let mut bytes = damaged(&whole, &[0, 1, 5126, u32::MAX], &["9", "-1", "null"], |end| random.below(end));
+        match round {
+            0 => bytes.clone_from(&whole),
+            1..40 => bytes.truncate(random.below(whole.len())),
+            _ => {}
+        }
+        fs::write(&path, &bytes).unwrap();
+        let of_file = import::read_mesh(&path, &options(8));
+        if of_file.is_ok() {
+            read += 1
+        } else {
+            refused += 1
+        }
+        let of_file = told(of_file);
+        assert!(of_file == told(import::mesh_from_bytes(&bytes, &path, &options(8))), "round {round}: {of_file:.400}");
+        found.push(of_file);
+    }
+    assert!(read > 20 && refused > 20, "{read} {refused}");
+    found.dedup();
+    assert!(found.len() > 50, "the comparison sees another mesh or fault: {}", found.len());
+}
+
+#[test]
+fn a_gltf_of_more_files_than_stay_open_is_read() {
+    let (folder, count) = (tempfile::tempdir().unwrap(), 70);
+    let list = |each: fn(usize) -> String| (0..count).map(each).collect::<Vec<_>>().join(",");
+    for number in 0..count {
+        let x = number as f32;
+        let corners = [[x, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]];
+        let bytes: Vec<u8> = corners.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect();
+        fs::write(folder.path().join(format!("{number}.bin")), bytes).unwrap();
+    }
+    let text = format!(
+        r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],
+        "accessors":[{}],"bufferViews":[{}],"buffers":[{}]}}"#,
+        list(|number| format!(r#"{{"attributes":{{"POSITION":{number}}}}}"#)),
+        list(|number| format!(r#"{{"bufferView":{number},"componentType":5126,"count":3,"type":"VEC3"}}"#)),
+        list(|number| format!(r#"{{"buffer":{number},"byteLength":36}}"#)),
+        list(|number| format!(r#"{{"uri":"{number}.bin","byteLength":36}}"#)),
+    );
+    let path = folder.path().join("many.gltf");
+    fs::write(&path, text).unwrap();
+    let mesh = import::read_mesh(&path, &options(8)).unwrap();
+    let place = |number: usize| mesh.positions[3 * number].x - mesh.positions[0].x;
+    assert_eq!(mesh.triangles.len(), count);
+    assert!((0..count).all(|number| place(number) == number as f32));
 }
 
 #[test]

@@ -248,6 +248,33 @@ fn writing_twice_gives_the_same_bytes() {
 }
 
 #[test]
+fn a_picture_that_nobody_waits_for_any_more_leaves_the_old_file() {
+    let picture = Picture::of_film(example());
+    for extension in ["png", "exr", "vxf"] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a").with_extension(extension);
+        let asked = AtomicU32::new(0);
+        let until = |most: u32| {
+            asked.store(0, Ordering::Relaxed);
+            let asked = &asked;
+            move || asked.fetch_add(1, Ordering::Relaxed) < most
+        };
+        picture.save_while(&path, &until(u32::MAX)).unwrap();
+        let (whole, questions) = (std::fs::read(&path).unwrap(), asked.load(Ordering::Relaxed));
+        for answered in 0..questions {
+            std::fs::write(&path, "old").unwrap();
+            let saved = picture.save_while(&path, &until(answered));
+            assert!(saved.is_err(), "{extension} after {answered} of {questions}");
+            assert_eq!(std::fs::read(&path).unwrap(), b"old");
+            assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left behind");
+        }
+        // One answer more, and it is written.
+        picture.save_while(&path, &until(questions)).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), whole);
+    }
+}
+
+#[test]
 fn a_film_file_comes_back_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.vxf");

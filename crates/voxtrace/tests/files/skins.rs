@@ -7,19 +7,19 @@ use voxtrace::glam::Vec3;
 use voxtrace::import::{self, ClipChoice, Geometry, ImportOptions};
 use voxtrace::mesh::Mesh;
 
-const BYTE: u32 = 5121;
-const SHORT: u32 = 5123;
-const FLOAT: u32 = 5126;
+pub const BYTE: u32 = 5121;
+pub const SHORT: u32 = 5123;
+pub const FLOAT: u32 = 5126;
 
 /// A binary glTF file in the making.
-struct File {
-    json: Value,
-    binary: Vec<u8>,
+pub struct File {
+    pub json: Value,
+    pub binary: Vec<u8>,
 }
 
 impl File {
     /// Adds an array; returns the number of its accessor.
-    fn add(&mut self, kind: &str, (component, normalized): (u32, bool), count: usize, bytes: &[u8]) -> usize {
+    pub fn add(&mut self, kind: &str, (component, normalized): (u32, bool), count: usize, bytes: &[u8]) -> usize {
         let views = self.json["bufferViews"].as_array_mut().unwrap();
         views.push(json!({ "buffer": 0, "byteOffset": self.binary.len(), "byteLength": bytes.len() }));
         let view = views.len() - 1;
@@ -32,17 +32,17 @@ impl File {
         accessors.len() - 1
     }
 
-    fn add_floats(&mut self, kind: &str, count: usize, numbers: &[f32]) -> usize {
+    pub fn add_floats(&mut self, kind: &str, count: usize, numbers: &[f32]) -> usize {
         let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
         self.add(kind, (FLOAT, false), count, &bytes)
     }
 
-    fn attributes(&mut self) -> &mut Value {
+    pub fn attributes(&mut self) -> &mut Value {
         &mut self.json["meshes"][0]["primitives"][0]["attributes"]
     }
 
     /// Adds joints and their shares for each vertex, as attributes of a set.
-    fn bind(&mut self, set: usize, (joint_kind, weight_kind): (u32, u32), vertices: &[([u16; 4], [f32; 4])]) {
+    pub fn bind(&mut self, set: usize, (joint_kind, weight_kind): (u32, u32), vertices: &[([u16; 4], [f32; 4])]) {
         let joints = vertices.iter().flat_map(|(joints, _)| joints);
         let joints: Vec<u8> = match joint_kind {
             BYTE => joints.map(|&joint| joint as u8).collect(),
@@ -71,7 +71,7 @@ impl File {
         }]);
     }
 
-    fn bytes(&self) -> Vec<u8> {
+    pub fn bytes(&self) -> Vec<u8> {
         let mut json = self.json.clone();
         json["buffers"] = json!([{ "byteLength": self.binary.len() }]);
         let mut json = json.to_string().into_bytes();
@@ -82,12 +82,12 @@ impl File {
         [&head[..], &json, &word(self.binary.len()), b"BIN\0", &self.binary].concat()
     }
 
-    fn read(&self, animation: ClipChoice) -> Mesh {
+    pub fn read(&self, animation: ClipChoice) -> Mesh {
         let options = ImportOptions { animation, ..ImportOptions::default() };
         import::mesh_from_bytes(&self.bytes(), Path::new("arm.glb"), &options).unwrap()
     }
 
-    fn fault(&self) -> String {
+    pub fn fault(&self) -> String {
         import::mesh_from_bytes(&self.bytes(), Path::new("arm.glb"), &ImportOptions::default()).unwrap_err().to_string()
     }
 }
@@ -134,6 +134,9 @@ const SHARES: [([u16; 4], [f32; 4]); 4] = [
 const POSED: [Vec3; 4] =
     [Vec3::new(3.0, 0.0, 0.0), Vec3::new(2.75, 0.0, 1.25), Vec3::new(2.0, 0.0, 1.0), Vec3::new(2.0, 0.0, 2.0)];
 
+/// Where they are by their node alone.
+const AT_NODE: [[f32; 3]; 4] = [[50.0, -70.0, 60.0], [50.0, -70.0, 63.0], [50.0, -70.0, 64.0], [52.0, -70.0, 64.0]];
+
 fn bound() -> File {
     let mut file = arm();
     file.bind(0, (BYTE, FLOAT), &SHARES);
@@ -175,8 +178,27 @@ fn vertices_are_where_their_joints_take_them_and_not_where_the_node_is() {
     let wanted = [POSED[0], Vec3::new(2.25, 0.0, 1.25), Vec3::new(1.0, 0.0, 1.0), Vec3::new(1.0, 0.0, 2.0)];
     assert_at(&file.read(ClipChoice::None), &wanted);
     // What names no joint has nothing but its node.
-    let at_node = [[50.0, -70.0, 60.0], [50.0, -70.0, 63.0], [50.0, -70.0, 64.0], [52.0, -70.0, 64.0]].map(Vec3::from);
-    assert_at(&arm().read(ClipChoice::None), &at_node);
+    assert_at(&arm().read(ClipChoice::None), &AT_NODE.map(Vec3::from));
+}
+
+#[test]
+fn joints_without_shares_and_shares_without_joints_place_nothing_which_is_told() {
+    for missing in ["WEIGHTS_0", "JOINTS_0"] {
+        let mut file = bound();
+        file.attributes().as_object_mut().unwrap().remove(missing);
+        let mesh = file.read(ClipChoice::None);
+        assert_at(&mesh, &AT_NODE.map(Vec3::from));
+        assert_eq!(mesh.notes, ["not shown: 1 skin"], "{missing}");
+    }
+    // Those of a second set count for nothing.
+    for missing in ["WEIGHTS_1", "JOINTS_1"] {
+        let mut file = bound();
+        file.bind(1, (BYTE, FLOAT), &SHARES);
+        file.attributes().as_object_mut().unwrap().remove(missing);
+        let mesh = file.read(ClipChoice::None);
+        assert_at(&mesh, &POSED);
+        assert!(mesh.notes.is_empty(), "{:?}", mesh.notes);
+    }
 }
 
 #[test]
@@ -201,7 +223,7 @@ fn points_follow_joints_as_triangles_do() {
 }
 
 #[test]
-fn a_mesh_goes_with_what_carries_all_of_its_joints_and_one_that_bends_is_told() {
+fn a_mesh_goes_with_what_carries_all_of_its_joints_and_one_that_bends_has_shapes() {
     let mut file = bound();
     file.animate(1, "translation", [[3.0, 0.0, 0.0], [5.0, 0.0, 0.0]]);
     let mesh = file.read(ClipChoice::First);
@@ -222,13 +244,21 @@ fn a_mesh_goes_with_what_carries_all_of_its_joints_and_one_that_bends_is_told() 
     let mesh = file.read(ClipChoice::First);
     assert_at(&mesh, &POSED);
     assert!(mesh.moving.is_none() && mesh.notes.is_empty(), "{:?}", mesh.notes);
-    // One joint alone bends it: it stays as it is at rest.
+    // One joint alone bends it: it stands still in the world, and changes its shape.
     let mut file = bound();
     let quarter = FRAC_1_SQRT_2 as f32;
     file.animate(2, "rotation", [[0.0, 0.0, quarter, quarter], [0.0, 0.0, 0.0, 1.0]]);
     let mesh = file.read(ClipChoice::First);
-    assert_at(&mesh, &POSED);
-    assert!(mesh.moving.is_none() && mesh.notes == ["not shown: 1 skin"], "{:?}", mesh.notes);
+    assert!(mesh.triangles.is_empty() && mesh.notes.is_empty(), "{:?}", mesh.notes);
+    let parts = mesh.moving.as_ref().unwrap();
+    assert_at(&parts.meshes[0], &POSED);
+    let changing = &parts.changing[0];
+    assert_eq!((parts.changing.len(), changing.part, changing.rate, changing.steps.len()), (1, 0, 24.0, 25));
+    let straight = [POSED[0], Vec3::new(3.0, 0.0, 1.5), Vec3::new(3.0, 0.0, 2.0), Vec3::new(4.0, 0.0, 2.0)];
+    for (step, wanted) in [(0, POSED), (24, straight)] {
+        let positions = changing.shapes.positions(changing.steps[step] as usize);
+        assert!(positions.iter().zip(wanted).all(|(found, wanted)| found.abs_diff_eq(wanted, 1e-5)), "{positions:?}");
+    }
     // A still shows the skin.
     assert_eq!(file.read(ClipChoice::None).notes, ["not shown: 1 animation"]);
 }
@@ -236,16 +266,13 @@ fn a_mesh_goes_with_what_carries_all_of_its_joints_and_one_that_bends_is_told() 
 #[test]
 fn faults_of_skins_are_named() {
     type Edit = fn(&mut File);
-    let faults: [(&str, Edit); 9] = [
+    let faults: [(&str, Edit); 8] = [
         ("skin 7 is missing", |file| file.json["nodes"][0]["skin"] = json!(7)),
         ("skin 0 has node 8 for a joint, which is missing", |file| file.json["skins"][0]["joints"] = json!([1, 8])),
         ("skin 0 has 2 inverse bind matrices for 3 joints", |file| file.json["skins"][0]["joints"] = json!([1, 2, 0])),
         ("a vertex names joint 1 of 1 of skin 0", |file| file.json["skins"][0]["joints"] = json!([1])),
         ("skin 0 has no joints", |file| file.json["skins"][0]["joints"] = json!([])),
         ("holds VEC3, not MAT4", |file| file.json["skins"][0]["inverseBindMatrices"] = json!(0)),
-        ("JOINTS_0 without WEIGHTS_0", |file| {
-            file.attributes().as_object_mut().unwrap().remove("WEIGHTS_0");
-        }),
         ("JOINTS_0 holds no indices", |file| {
             let weights = file.attributes()["WEIGHTS_0"].clone();
             file.attributes()["JOINTS_0"] = weights;

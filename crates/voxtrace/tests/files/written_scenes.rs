@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use voxtrace::export::{ExportError, WRITERS, writer_of};
 use voxtrace::glam::{IVec3, Quat, Vec3};
 use voxtrace::grid::VoxelBox;
@@ -338,4 +339,39 @@ fn what_a_format_cannot_hold_is_one_error_and_no_file() {
     let path = folder.path().join("far.schem");
     assert!(matches!(writer_of(&path).unwrap().write(&path, &far), Err(ExportError::TooLarge { .. })));
     assert!(!path.exists() && writer_of(Path::new("a.xyz")).is_none());
+}
+
+#[test]
+fn writing_that_nobody_waits_for_any_more_ends_with_the_old_file() {
+    let scene = scene();
+    for writer in WRITERS {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(format!("a.{}", writer.extension));
+        let asked = AtomicUsize::new(0);
+        let until = |most: usize| {
+            asked.store(0, Ordering::Relaxed);
+            let asked = &asked;
+            move || asked.fetch_add(1, Ordering::Relaxed) < most
+        };
+        let lost = writer.write_while(&path, &scene, &until(usize::MAX)).unwrap();
+        assert_eq!(writer.write(&path, &scene).unwrap(), lost);
+        let (whole, questions) = (std::fs::read(&path).unwrap(), asked.load(Ordering::Relaxed));
+        assert!(questions > 5, "{} is asked {questions} times", writer.extension);
+        for answered in [0, 1, 3, questions / 2, questions - 2, questions - 1] {
+            std::fs::write(&path, "old").unwrap();
+            let written = writer.write_while(&path, &scene, &until(answered));
+            assert!(matches!(written, Err(ExportError::Stopped)), "{} after {answered}: {written:?}", writer.extension);
+            assert_eq!(std::fs::read(&path).unwrap(), b"old", "{} after {answered}", writer.extension);
+        }
+        let mut expected = writer.companions(&path);
+        expected.push(path.clone());
+        let mut there: Vec<PathBuf> =
+            std::fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path()).collect();
+        expected.sort();
+        there.sort();
+        assert_eq!(there, expected, "nothing is left behind");
+        // One answer more, and it is written.
+        writer.write_while(&path, &scene, &until(questions)).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), whole);
+    }
 }

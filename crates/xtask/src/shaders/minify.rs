@@ -1,6 +1,7 @@
 //! WGSL made short for pages: no comments, no spaces, and one or two letters for each name that slangc made. Modules that are made short together share the
 //! names of what both have, and names within a function follow its own order, so that what modules have in common is the same text and is compressed once.
 
+use super::shorten::shorten;
 use std::collections::{BTreeSet, HashMap};
 
 const LETTERS: &[u8; 52] = b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -9,7 +10,7 @@ const KEPT: [&str; 6] = ["as", "do", "fn", "if", "of", "on"];
 
 /// The same modules with other names. slangc ends every name of its own in a number; entry points have those of their sources, so they stay.
 pub fn minify(texts: &[String]) -> Vec<String> {
-    let texts: Vec<String> = texts.iter().map(|text| with_short_literals(text)).collect();
+    let texts: Vec<String> = texts.iter().map(|text| shorten(text)).collect();
     let modules: Vec<Vec<Token>> = texts.iter().map(|text| kinds(tokens(text))).collect();
     let all = || modules.iter().flatten();
     // Keywords, and whatever else the modules say.
@@ -139,32 +140,6 @@ fn names(first: usize) -> impl Iterator<Item = String> {
     (first..).map(name_of).filter(|name| !KEPT.contains(&name.as_str()))
 }
 
-/// The same with the shorter ones of the ways in which WGSL writes literals and types of vectors: `0u` for `u32(0)`, `vec3f` for `vec3<f32>`.
-fn with_short_literals(text: &str) -> String {
-    let tokens = tokens(text);
-    let is_number = |token: &str| token.bytes().all(|byte| byte.is_ascii_digit());
-    let (mut out, mut at) = (String::with_capacity(text.len()), 0);
-    while at < tokens.len() {
-        let (short, length) = match tokens[at..] {
-            [kind @ ("u32" | "i32"), "(", number, ")", ..] if is_number(number) => {
-                (format!("{number}{}", &kind[..1]), 4)
-            }
-            [vector @ ("vec2" | "vec3" | "vec4"), "<", scalar @ ("f32" | "i32" | "u32"), ">", ..] => {
-                (format!("{vector}{}", &scalar[..1]), 4)
-            }
-            [token, ..] => match token.strip_suffix(".0f") {
-                Some(whole) if is_number(whole) => (format!("{whole}f"), 1),
-                _ => (token.to_owned(), 1),
-            },
-            [] => break,
-        };
-        out.push_str(&short);
-        out.push(' ');
-        at += length;
-    }
-    out
-}
-
 fn is_made_up(token: &str) -> bool {
     let is_name = token.starts_with(|letter: char| letter.is_ascii_alphabetic() || letter == '_');
     let last = token.rsplit('_').next().unwrap_or_default();
@@ -173,7 +148,7 @@ fn is_made_up(token: &str) -> bool {
 }
 
 /// Words and numbers whole, every other character by itself.
-fn tokens(text: &str) -> Vec<&str> {
+pub fn tokens(text: &str) -> Vec<&str> {
     let mut tokens = Vec::new();
     let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {

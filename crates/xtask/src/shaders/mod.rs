@@ -7,6 +7,7 @@ mod minify;
 mod passes;
 mod roundings;
 mod shared;
+mod shorten;
 mod tools;
 
 use layout::Layout;

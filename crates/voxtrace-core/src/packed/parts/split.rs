@@ -2,7 +2,7 @@
 
 use super::Parts;
 use crate::packed::merge::Scatter;
-use crate::packed::{Geometry, PackedInstance, PackedScene, Placement};
+use crate::packed::{Geometry, PackError, PackedInstance, PackedScene, Placement};
 use glam::IVec3;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -36,20 +36,20 @@ impl PackedScene {
         kept_instances(&self.geometry, &self.placement)
     }
 
-    /// The grids of the scene, those that were merged each for itself.
-    pub(in crate::packed) fn kept_grids(&self) -> Vec<Arc<VoxelGrid>> {
+    /// The grids of the scene, those that were merged each for itself, as long as they are wanted.
+    pub(in crate::packed) fn kept_grids(&self, wanted: &(dyn Fn() -> bool + Sync)) -> Option<Vec<Arc<VoxelGrid>>> {
         let geometry = &*self.geometry;
-        let unpack = |grid| Arc::new(geometry.unpack_grid(grid));
+        let unpack = |grid| geometry.unpack_grid_while(grid, wanted).map(Arc::new);
         let Some(parts) = geometry.parts.as_deref() else { return self.grids().par_iter().map(unpack).collect() };
-        let others = (geometry.grids.par_iter().enumerate())
+        let others: Option<Vec<_>> = (geometry.grids.par_iter().enumerate())
             .filter(|(index, _)| *index != parts.grid as usize)
             .map(|(_, grid)| unpack(grid))
             .collect();
-        let mut of_parts: Vec<(u32, Arc<VoxelGrid>)> = (parts.records.iter().zip(geometry.grids_of_parts(parts)))
-            .map(|(record, grid)| (record.grid, Arc::new(grid)))
-            .collect();
+        let grids = geometry.grids_of_parts(parts, wanted)?;
+        let mut of_parts: Vec<(u32, Arc<VoxelGrid>)> =
+            (parts.records.iter().zip(grids)).map(|(record, grid)| (record.grid, Arc::new(grid))).collect();
         of_parts.sort_unstable_by_key(|(number, _)| *number);
-        Parts::interleaved(others, of_parts)
+        Some(Parts::interleaved(others?, of_parts))
     }
 
     /// The same scene with the instances that it was packed with, each a grid of its own again, so that they can be moved and hidden: as
@@ -59,8 +59,20 @@ impl PackedScene {
     /// Never: what was packed once is packed again.
     #[must_use]
     pub fn split(&self) -> Self {
-        let Some(parts) = self.geometry.parts.as_deref() else { return self.clone() };
-        let packed = Self::pack(&self.to_scene()).and_then(|packed| packed.with_normals(self.normals()));
+        self.split_while(&|| true).expect("nobody stops it")
+    }
+
+    /// As [`Self::split`], as long as it is `wanted`, which several threads ask, and which says no for good; `None` once it is not.
+    ///
+    /// # Panics
+    /// As [`Self::split`].
+    #[must_use]
+    pub fn split_while(&self, wanted: &(dyn Fn() -> bool + Sync)) -> Option<Self> {
+        let Some(parts) = self.geometry.parts.as_deref() else { return Some(self.clone()) };
+        let packed = match Self::pack_while(&self.to_scene_while(wanted)?, wanted) {
+            Err(PackError::Stopped) => return None,
+            packed => packed.and_then(|packed| packed.with_normals(self.normals())),
+        };
         let packed = packed.expect("what was packed can be packed apart");
         let mut geometry = Geometry::clone(&packed.geometry);
         if let Some(last) = parts.scene_grids.last() {
@@ -77,7 +89,7 @@ impl PackedScene {
             instance.scene_instance = scene_instances[instance.scene_instance as usize];
         }
         let placement = Placement::of_sound(&geometry, instances);
-        Self { geometry: Arc::new(geometry), placement, ..self.clone() }
+        Some(Self { geometry: Arc::new(geometry), placement, ..self.clone() })
     }
 }
 
@@ -105,8 +117,8 @@ pub(crate) fn kept_instances(geometry: &Geometry, placement: &Placement) -> Vec<
 }
 
 impl Geometry {
-    /// The grids of the parts, with the voxels that others cover.
-    fn grids_of_parts(&self, parts: &Parts) -> Vec<VoxelGrid> {
+    /// The grids of the parts, with the voxels that others cover, as long as they are wanted.
+    fn grids_of_parts(&self, parts: &Parts, wanted: &(dyn Fn() -> bool + Sync)) -> Option<Vec<VoxelGrid>> {
         let grid = self.merged_grid(parts);
         let mut bricks_of: Vec<Vec<IVec3>> = vec![Vec::new(); parts.records.len()];
         for at in self.bricks_of(grid) {
@@ -117,7 +129,7 @@ impl Geometry {
         }
         let whole = |part: usize, bricks: &[IVec3]| {
             let mut scatter = Scatter::default();
-            for &at in bricks {
+            for &at in bricks.iter().take_while(|_| wanted()) {
                 self.scatter_part(parts, part, at, &mut scatter);
             }
             for covered in parts.covered.iter().filter(|covered| covered.part as usize == part) {
@@ -125,7 +137,8 @@ impl Geometry {
             }
             VoxelGrid::from_bricks(scatter.finish())
         };
-        bricks_of.par_iter().enumerate().map(|(part, bricks)| whole(part, bricks)).collect()
+        let grids = bricks_of.par_iter().enumerate().map(|(part, bricks)| whole(part, bricks)).collect();
+        wanted().then_some(grids)
     }
 
     /// Adds the voxels of a part in the brick of the merged grid at `at`.

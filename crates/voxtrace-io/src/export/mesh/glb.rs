@@ -3,13 +3,13 @@
 //! where a scene has no size.
 
 use super::{Surfaces, gltf_material, left_out};
-use crate::export::ExportError;
-use crate::output::write_atomically;
+use crate::export::{ExportError, Wanted, go_on};
 use glam::{IVec3, Vec3};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::Path;
+use voxtrace_core::atomic_file::write_atomically_while;
 use voxtrace_scene::faces::FaceRectangle;
 use voxtrace_scene::scene::{Instance, Scene, Unit};
 
@@ -25,9 +25,10 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const TRIANGLES: [u32; 6] = [0, 1, 2, 0, 2, 3];
 
 /// Writes the surface of a scene as a binary glTF file.
-pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-    let surfaces = Surfaces::of(scene);
-    let document = Document::of(&surfaces);
+pub fn write(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
+    let surfaces = Surfaces::of(scene, wanted)?;
+    let document = Document::of(&surfaces, wanted);
+    go_on(wanted)?;
     let json = document.json(&surfaces).to_string();
     let json_size = json.len().next_multiple_of(4) as u64;
     // Two chunks behind a header.
@@ -35,7 +36,7 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     let Ok(size) = u32::try_from(size) else {
         return Err(ExportError::TooLarge { format: FORMAT, what: "the faces" });
     };
-    write_atomically(path, |file| {
+    write_atomically_while(path, wanted, |file| {
         let words = [0x4654_6c67, 2, size, json_size as u32, 0x4e4f_534a];
         words.iter().try_for_each(|word: &u32| file.write_all(&word.to_le_bytes()))?;
         file.write_all(json.as_bytes())?;
@@ -109,11 +110,12 @@ struct Document {
 }
 
 impl Document {
-    fn of(surfaces: &Surfaces) -> Self {
+    /// Where it is not wanted any more rectangles are missing.
+    fn of(surfaces: &Surfaces, wanted: Wanted) -> Self {
         let mut document = Self { primitives: Vec::new(), mesh_of_grid: Vec::new(), meshes: Vec::new(), bytes: 0 };
         for rectangles in &surfaces.rectangles {
             let mut parts: BTreeMap<Option<u16>, Vec<FaceRectangle>> = BTreeMap::new();
-            for rectangle in rectangles {
+            for rectangle in rectangles.iter().take_while(|_| wanted()) {
                 let is_plain = gltf_material::is_plain(&surfaces.scene.materials[usize::from(rectangle.material)]);
                 let material = Some(rectangle.material).filter(|_| !is_plain);
                 parts.entry(material).or_default().push(*rectangle);

@@ -11,10 +11,11 @@ pub use glb::write as write_glb;
 pub use obj::{companions as obj_companions, write as write_obj};
 pub use ply::write as write_ply;
 
+use super::{ExportError, Wanted};
 use glam::{DVec3, IVec3};
 use rayon::prelude::*;
 use std::io::{self, Write};
-use voxtrace_scene::faces::{FaceRectangle, face_rectangles};
+use voxtrace_scene::faces::{FaceRectangle, face_rectangles_while};
 use voxtrace_scene::scene::{Instance, Scene};
 
 /// The surfaces of a scene.
@@ -25,14 +26,15 @@ struct Surfaces<'s> {
 }
 
 impl<'s> Surfaces<'s> {
-    fn of(scene: &'s Scene) -> Self {
+    fn of(scene: &'s Scene, wanted: Wanted) -> Result<Self, ExportError> {
         let is_seen = |grid: usize| scene.instances.iter().any(|one| one.grid == grid && scene.is_visible(one));
         let of_grid = |(index, grid)| match is_seen(index) {
-            true => face_rectangles(grid, &scene.materials),
-            false => Vec::new(),
+            true => face_rectangles_while(grid, &scene.materials, wanted),
+            false => Some(Vec::new()),
         };
         let grids: Vec<_> = scene.grids.iter().map(|grid| &**grid).enumerate().collect();
-        Self { scene, rectangles: grids.into_par_iter().map(of_grid).collect() }
+        let rectangles: Option<_> = grids.into_par_iter().map(of_grid).collect();
+        Ok(Self { scene, rectangles: rectangles.ok_or(ExportError::Stopped)? })
     }
 
     /// The visible instances that have a surface, with it.

@@ -2,7 +2,7 @@
 
 use super::vertices::Vertices;
 use super::{Surfaces, left_out, write_each};
-use crate::export::{ExportError, MTL_HEAD};
+use crate::export::{ExportError, MTL_HEAD, Wanted};
 use crate::output::write_atomically;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use voxtrace_core::atomic_file::{TemporaryFile, check_replaceable};
+use voxtrace_core::atomic_file::{TemporaryFile, WriteWhile, check_replaceable, write_atomically_while};
 use voxtrace_scene::faces::FaceRectangle;
 use voxtrace_scene::material::{Material, encode_srgb};
 use voxtrace_scene::scene::Scene;
@@ -24,8 +24,8 @@ pub fn companions(path: &Path) -> Vec<PathBuf> {
 }
 
 /// Writes the surface of a scene as an OBJ file, with its materials beside it.
-pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-    let surfaces = Surfaces::of(scene);
+pub fn write(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
+    let surfaces = Surfaces::of(scene, wanted)?;
     let library = path.with_extension("mtl");
     let failure = |path: &Path| {
         let path = path.to_owned();
@@ -34,7 +34,7 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     // New materials beside an old mesh would be the wrong ones: they take their place when the mesh has taken its own.
     let materials = written_aside(&library, |file| write_materials(file, &surfaces)).map_err(failure(&library))?;
     let name = library.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    write_atomically(path, |file| write_to(file, &surfaces, &name)).map_err(failure(path))?;
+    write_atomically_while(path, wanted, |file| write_to(file, &surfaces, &name, wanted)).map_err(failure(path))?;
     materials.map_or(Ok(()), |materials| materials.replace(&library)).map_err(failure(&library))?;
     let media =
         scene.materials.iter().filter(|material| material.absorption != Vec3::ZERO || material.scattering > 0.0);
@@ -64,7 +64,7 @@ fn written_aside(
     Ok(Some(temporary))
 }
 
-fn write_to(file: &mut impl Write, surfaces: &Surfaces, library: &str) -> io::Result<()> {
+fn write_to(file: &mut WriteWhile, surfaces: &Surfaces, library: &str, wanted: Wanted) -> io::Result<()> {
     let edge = surfaces.scene.voxel_size;
     writeln!(file, "# voxtrace, voxels of {edge}\nmtllib {library}")?;
     // Vertices are numbered from 1 on.
@@ -74,7 +74,9 @@ fn write_to(file: &mut impl Write, surfaces: &Surfaces, library: &str) -> io::Re
         let word: String = instance.name.split_whitespace().collect::<Vec<_>>().join("_");
         let name = if word.is_empty() { format!("instance_{number}") } else { word };
         writeln!(file, "o {name}")?;
-        let vertices = Vertices::of(rectangles.iter().flat_map(FaceRectangle::corners));
+        let vertices = Vertices::of(rectangles.iter().take_while(|_| wanted()).flat_map(FaceRectangle::corners));
+        // Else some are missing that faces name.
+        file.check()?;
         write_each(file, vertices.bricks(), |text, brick| {
             for corner in brick.corners() {
                 let DVec3 { x, y, z } = Surfaces::place(instance, corner) * edge;

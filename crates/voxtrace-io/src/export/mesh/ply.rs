@@ -1,24 +1,24 @@
 //! Binary PLY (Turk, "The PLY Polygon File Format", 1994): quadrilaterals with a colour at each vertex, z up.
 
 use super::{Surfaces, left_out, write_each};
-use crate::export::ExportError;
 use crate::export::flat_color::{lost_of, shown_srgb};
-use crate::output::write_atomically;
+use crate::export::{ExportError, Wanted};
 use std::io::{self, Write};
 use std::path::Path;
+use voxtrace_core::atomic_file::write_atomically_while;
 use voxtrace_scene::scene::{Scene, Unit};
 
 const FORMAT: &str = ".ply";
 
 /// Writes the surface of a scene as a binary PLY file.
-pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-    let surfaces = Surfaces::of(scene);
+pub fn write(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
+    let surfaces = Surfaces::of(scene, wanted)?;
     let faces: usize = surfaces.instances().map(|(_, rectangles)| rectangles.len()).sum();
     // Indices of vertices have 32 bits with a sign.
     if faces > i32::MAX as usize / 4 {
         return Err(ExportError::TooLarge { format: FORMAT, what: "the faces" });
     }
-    write_atomically(path, |file| write_to(file, &surfaces, faces))
+    write_atomically_while(path, wanted, |file| write_to(file, &surfaces, faces))
         .map_err(|error| ExportError::Io { path: path.into(), error })?;
     let mut lost = left_out(scene);
     lost.extend(lost_of(&scene.materials));

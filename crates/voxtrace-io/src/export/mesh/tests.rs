@@ -13,7 +13,7 @@ fn a_mirrored_instance_turns_its_faces_outwards_too() {
         let mut placed = turned.scaled(2.0);
         placed.linear.x_axis *= mirror;
         scene.instances[0].world_from_grid = placed;
-        let surfaces = Surfaces::of(&scene);
+        let surfaces = Surfaces::of(&scene, &|| true).unwrap();
         let (instance, rectangles) = surfaces.instances().next().unwrap();
         assert_eq!(rectangles.len(), 6);
         let middle = placed.point(Vec3::new(2.5, 4.5, 4.0)).as_dvec3();
@@ -33,9 +33,9 @@ fn hidden_instances_have_no_surface_and_are_said_to_be_left_out() {
     grid.set(IVec3::ZERO, 0);
     let mut scene = Scene::from_grid("two", grid.clone(), vec![Material::default()]);
     scene.add_instance(grid, Transform::from_translation(Vec3::X));
-    assert_eq!((Surfaces::of(&scene).instances().count(), left_out(&scene)), (2, Vec::new()));
+    assert_eq!((Surfaces::of(&scene, &|| true).unwrap().instances().count(), left_out(&scene)), (2, Vec::new()));
     scene.instances[1].hidden = true;
-    assert_eq!(Surfaces::of(&scene).instances().count(), 1);
+    assert_eq!(Surfaces::of(&scene, &|| true).unwrap().instances().count(), 1);
     assert_eq!(left_out(&scene), ["hidden instances (1)"]);
 }
 
@@ -57,7 +57,7 @@ fn a_glb_of_thousands_of_instances_is_whole() {
     }
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("many.glb");
-    write_glb(&path, &scene).unwrap();
+    write_glb(&path, &scene, &|| true).unwrap();
     let bytes = std::fs::read(&path).unwrap();
     let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
     let json_size = word(12);

@@ -4,8 +4,7 @@
 mod choice;
 mod nbt;
 
-use super::{ExportError, bake_failure};
-use crate::output::write_atomically;
+use super::{ExportError, Wanted, bake_failure, go_on};
 use choice::Choice;
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -14,10 +13,11 @@ use nbt::Writer;
 use rayon::prelude::*;
 use std::io::{self, Write};
 use std::path::Path;
+use voxtrace_core::atomic_file::write_atomically_while;
 use voxtrace_scene::brick::{BRICK_SIZE, Brick};
 use voxtrace_scene::grid::VoxelBox;
 use voxtrace_scene::scene::Scene;
-use voxtrace_voxelize::bake::flattened;
+use voxtrace_voxelize::bake::flattened_while;
 
 const FORMAT: &str = ".schem";
 const VERSION: i32 = 2;
@@ -27,8 +27,8 @@ const DATA_VERSION: i32 = 3465;
 const LONGEST_EDGE: i32 = 65_535;
 
 /// Writes the visible voxels of a scene as a Sponge schematic. Returns what it does not hold.
-pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
-    let (grid, _) = flattened(scene).map_err(|error| bake_failure(FORMAT, error))?;
+pub fn write(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
+    let (grid, _) = flattened_while(scene, wanted).map_err(|error| bake_failure(FORMAT, error))?;
     let Some(bounds) = grid.bounds() else { return Err(ExportError::Empty { format: FORMAT }) };
     let size = bounds.size();
     let volume = size.as_i64vec3().element_product();
@@ -37,8 +37,9 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
     }
     let choice = Choice::of(&scene.materials, &grid);
     let bricks = grid.sorted_bricks();
+    go_on(wanted)?;
     let length = volume as usize + second_bytes(&bricks, &choice);
-    write_atomically(path, |file| {
+    write_atomically_while(path, wanted, |file| {
         let mut tags = Writer::new(GzEncoder::new(file, Compression::default()));
         tags.begin_compound("Schematic")?;
         tags.int("Version", VERSION)?;

@@ -3,7 +3,7 @@
 //! the kept document (the scene's attachment) once more.
 
 use super::{camera, entry::Entry, layer_of, light, palette::Palette, pieces};
-use crate::export::ExportError;
+use crate::export::{ExportError, Wanted};
 use crate::import::Limits;
 use crate::import::vox::{
     ATTACHMENT, Body, Chunk, VoxFile,
@@ -91,7 +91,7 @@ impl<'s> Kept<'s> {
     ///
     /// # Errors
     /// As [`super::document_of`].
-    pub fn document_of(self, scene: &'s Scene) -> Result<(VoxFile<'s>, Vec<String>), ExportError> {
+    pub fn document_of(self, scene: &'s Scene, wanted: Wanted) -> Result<(VoxFile<'s>, Vec<String>), ExportError> {
         let mut rewrite = Rewrite {
             scene,
             palette: Palette::of(scene),
@@ -104,10 +104,10 @@ impl<'s> Kept<'s> {
         let mut chunks = Vec::new();
         let mut models = Vec::new().into_iter();
         if rewrite.same_graph {
-            let voxels_of = |grid: &Arc<VoxelGrid>| pieces::voxels_of(grid, &rewrite.palette);
+            let voxels_of = |grid: &Arc<VoxelGrid>| pieces::voxels_of(grid, &rewrite.palette, wanted);
             models = scene.grids.par_iter().map(voxels_of).collect::<Vec<_>>().into_iter();
         } else {
-            chunks.extend(super::models_and_nodes(scene, &rewrite.palette)?.into_iter().map(Chunk::new));
+            chunks.extend(super::models_and_nodes(scene, &rewrite.palette, wanted)?.into_iter().map(Chunk::new));
         }
         for mut chunk in self.file.chunks {
             if rewrite.keeps(&mut chunk.body) {

@@ -12,14 +12,14 @@ mod nodes;
 mod palette;
 mod pieces;
 
-use super::ExportError;
+use super::{ExportError, Wanted, go_on};
 use crate::import::vox::{Body, Chunk, Dict, Numbered, VoxFile};
-use crate::output::write_atomically;
 use kept::Kept;
 use palette::Palette;
 use pieces::{Piece, pieces_of};
 use rayon::prelude::*;
 use std::{borrow::Cow, io::Write, path::Path};
+use voxtrace_core::atomic_file::write_atomically_while;
 use voxtrace_scene::scene::{Layer, Scene};
 
 /// The format's name in errors.
@@ -33,10 +33,16 @@ const VERSION: u32 = 200;
 /// # Errors
 /// If the file cannot be written, or an instance stands as the format cannot say.
 pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
+    write_while(path, scene, &|| true)
+}
+
+/// As [`write`], as long as it is wanted.
+pub(super) fn write_while(path: &Path, scene: &Scene, wanted: Wanted) -> Result<Vec<String>, ExportError> {
     let too_large = ExportError::TooLarge { format: FORMAT, what: "the voxels" };
-    let (document, lost) = kept_or_new(scene)?;
+    let (document, lost) = kept_or_new(scene, wanted)?;
+    go_on(wanted)?;
     let bytes = document.to_bytes().ok_or(too_large)?;
-    write_atomically(path, |file| file.write_all(&bytes))
+    write_atomically_while(path, wanted, |file| file.write_all(&bytes))
         .map_err(|error| ExportError::Io { path: path.into(), error })?;
     Ok(lost)
 }
@@ -46,7 +52,7 @@ pub fn write(path: &Path, scene: &Scene) -> Result<Vec<String>, ExportError> {
 /// # Errors
 /// If an instance stands as the format cannot say, or the scene has more nodes than it can number.
 pub fn document_of(scene: &Scene) -> Result<VoxFile<'_>, ExportError> {
-    kept_or_new(scene).map(|(document, _)| document)
+    kept_or_new(scene, &|| true).map(|(document, _)| document)
 }
 
 /// What the MagicaVoxel file that a scene came from says beyond a scene, one phrase each.
@@ -54,16 +60,17 @@ pub fn beyond_scenes(scene: &Scene) -> Vec<String> {
     Kept::of(scene).map_or_else(Vec::new, |kept| kept.beyond_scenes())
 }
 
-fn kept_or_new(scene: &Scene) -> Result<(VoxFile<'_>, Vec<String>), ExportError> {
+fn kept_or_new<'s>(scene: &'s Scene, wanted: Wanted) -> Result<(VoxFile<'s>, Vec<String>), ExportError> {
     match Kept::of(scene) {
-        Some(kept) => kept.document_of(scene),
-        None => Ok((new_document(scene)?, light::lost_of(&scene.sky).into_iter().collect())),
+        Some(kept) => kept.document_of(scene, wanted),
+        None => Ok((new_document(scene, wanted)?, light::lost_of(&scene.sky).into_iter().collect())),
     }
 }
 
 /// Models and scene graph.
-fn models_and_nodes(scene: &Scene, palette: &Palette) -> Result<Vec<Body<'static>>, ExportError> {
-    let pieces: Vec<Vec<Piece>> = scene.grids.par_iter().map(|grid| pieces_of(grid, palette)).collect();
+fn models_and_nodes(scene: &Scene, palette: &Palette, wanted: Wanted) -> Result<Vec<Body<'static>>, ExportError> {
+    let pieces: Vec<Vec<Piece>> = scene.grids.par_iter().map(|grid| pieces_of(grid, palette, wanted)).collect();
+    go_on(wanted)?;
     let mut bodies = Vec::new();
     let nodes = nodes::nodes_of(scene, &pieces)?;
     for piece in pieces.into_iter().flatten() {
@@ -74,9 +81,9 @@ fn models_and_nodes(scene: &Scene, palette: &Palette) -> Result<Vec<Body<'static
     Ok(bodies)
 }
 
-fn new_document(scene: &Scene) -> Result<VoxFile<'static>, ExportError> {
+fn new_document(scene: &Scene, wanted: Wanted) -> Result<VoxFile<'static>, ExportError> {
     let palette = Palette::of(scene);
-    let mut bodies = models_and_nodes(scene, &palette)?;
+    let mut bodies = models_and_nodes(scene, &palette, wanted)?;
     bodies.extend((0..).zip(&scene.layers).map(|(id, layer)| layer_of(id, layer)));
     bodies.push(Body::Palette(palette.colors()));
     bodies.extend(palette.materials());

@@ -1,6 +1,7 @@
 //! Grids as models of at most 256³ voxels: a grid that does not fit is cut along multiples of 256 from its lowest brick.
 
 use super::palette::Palette;
+use crate::export::Wanted;
 use crate::import::vox::MAX_EDGE;
 use glam::IVec3;
 use std::collections::BTreeMap;
@@ -19,8 +20,8 @@ pub struct Piece {
 }
 
 /// The models of a grid: at least one, an empty one for an empty grid. A grid whose voxels fit a model as they are keeps
-/// its coordinates.
-pub fn pieces_of(grid: &VoxelGrid, palette: &Palette) -> Vec<Piece> {
+/// its coordinates. Where they are not wanted any more voxels are missing.
+pub fn pieces_of(grid: &VoxelGrid, palette: &Palette, wanted: Wanted) -> Vec<Piece> {
     let edge = MAX_EDGE as i32;
     let Some(bounds) = grid.bounds() else {
         return vec![Piece { offset: IVec3::ZERO, size: [1; 3], voxels: Vec::new() }];
@@ -40,20 +41,20 @@ pub fn pieces_of(grid: &VoxelGrid, palette: &Palette) -> Vec<Piece> {
     }
     cells
         .into_iter()
-        .map(|([z, y, x], bricks)| piece_of(origin + IVec3::new(x, y, z) * edge, &bricks, palette))
+        .map(|([z, y, x], bricks)| piece_of(origin + IVec3::new(x, y, z) * edge, &bricks, palette, wanted))
         .collect()
 }
 
-/// The voxels of a grid that fits a model as it is: position and colour index.
-pub fn voxels_of(grid: &VoxelGrid, palette: &Palette) -> Vec<[u8; 4]> {
+/// The voxels of a grid that fits a model as it is: position and colour index. Where they are not wanted any more some are missing.
+pub fn voxels_of(grid: &VoxelGrid, palette: &Palette, wanted: Wanted) -> Vec<[u8; 4]> {
     let bricks = grid.sorted_bricks();
-    piece_of(IVec3::ZERO, &bricks, palette).voxels
+    piece_of(IVec3::ZERO, &bricks, palette, wanted).voxels
 }
 
-fn piece_of(offset: IVec3, bricks: &[(IVec3, &Brick)], palette: &Palette) -> Piece {
+fn piece_of(offset: IVec3, bricks: &[(IVec3, &Brick)], palette: &Palette, wanted: Wanted) -> Piece {
     let mut voxels = Vec::with_capacity(bricks.iter().map(|(_, brick)| brick.materials().len()).sum());
     let mut size = IVec3::ZERO;
-    for (at, brick) in bricks {
+    for (at, brick) in bricks.iter().take_while(|_| wanted()) {
         for (local, material) in brick.voxels() {
             let voxel = *at * BRICK_SIZE + local - offset;
             size = size.max(voxel + 1);

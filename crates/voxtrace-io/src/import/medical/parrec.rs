@@ -1,7 +1,7 @@
 //! Philips' research export: a `.PAR` of text, version 4 to 4.2, a line for each picture, and a `.REC` with the pictures one behind the other.
 //! Places and angles are in the scanner's axes: to the back, to the head and to the left, which its files call ap, fh and rl.
 
-use crate::import::reader::{ImportOptions, Kind, Reader};
+use crate::import::reader::{ImportOptions, Kind, Reader, Several};
 use crate::import::samples::{Layout, Sample, channels, checked_size, detached, place};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::Input;
@@ -21,7 +21,8 @@ pub(crate) const READER: Reader = Reader::new(
         let (input, folder) = source.into_input()?;
         Ok(read(input, &folder, options)?.into())
     },
-);
+)
+.with_several(&[Several::TimePoints]);
 
 /// Endings of the two files.
 const HEADERS: [&str; 2] = ["PAR", "par"];

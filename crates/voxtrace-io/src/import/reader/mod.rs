@@ -78,6 +78,21 @@ pub struct Reader {
     pub(crate) takes_tiles: bool,
     /// Whether it leaves out the points that are not asked for by itself.
     pub(crate) filters_points: bool,
+    /// Of what its files may have several, of which options choose one.
+    #[doc(hidden)]
+    pub several: &'static [Several],
+}
+
+/// Of what a file of a volume may have several, of which [`ImportOptions`] choose one.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Several {
+    /// [`ImportOptions::series`].
+    Series,
+    /// [`ImportOptions::channel`].
+    Channels,
+    /// [`ImportOptions::time`].
+    TimePoints,
 }
 
 /// Whether a folder is one of the format.
@@ -155,6 +170,10 @@ impl Reader {
             open_large_volume: None,
             takes_tiles: false,
             filters_points: false,
+            several: match kind {
+                Kind::Volume => &[Several::Channels, Several::TimePoints],
+                _ => &[],
+            },
         }
     }
 
@@ -186,6 +205,12 @@ impl Reader {
     #[must_use]
     pub(crate) const fn with_large(self, open_large: OpenLarge) -> Self {
         Self { open_large: Some(open_large), ..self }
+    }
+
+    /// Sets [`Self::several`].
+    #[must_use]
+    pub(crate) const fn with_several(self, several: &'static [Several]) -> Self {
+        Self { several, ..self }
     }
 
     /// As [`Self::with_large`], for volumes.

@@ -41,6 +41,9 @@ pub struct ImportOptions {
     pub raw: Option<RawShape>,
     /// Which of the animations of a mesh moves it; by default it stands as at rest, in one grid.
     pub animation: ClipChoice,
+    /// How many shapes a second are made of what bends in that animation: each is voxelized, and seen until the next one. `None`: 24; 0: the shape
+    /// at rest alone. Where there is no room for so many, there are fewer, and a note of the mesh says so.
+    pub shape_rate: Option<f64>,
     /// Whether voxtrace's own files are read into memory instead of mapped, so that other programs may change them meanwhile.
     pub in_memory: bool,
     /// Whether a file of which a part is damaged is refused. Else what is whole of it is read, and a note says what is left out.

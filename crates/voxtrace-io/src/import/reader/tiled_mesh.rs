@@ -24,6 +24,7 @@ fn other(path: &Path, what: &str) -> ImportError {
 pub(crate) fn read(paths: &[PathBuf], options: &ImportOptions) -> Result<Data, ImportError> {
     let files = Files { paths: paths.into(), options: options.clone() };
     let meshes = (0..paths.len()).map(|number| files.read(number)).collect::<Result<Vec<Mesh>, _>>()?;
+    files.check_units(meshes.iter().map(|mesh| mesh.unit).enumerate())?;
     let parts: Vec<Part> = meshes.iter().map(Part::of).collect();
     let whole = Joined::of(&parts).and_then(|joined| joined.whole(meshes));
     whole.map(|mesh| Geometry::Mesh(mesh).into()).map_err(|fault| other(&paths[0], &String::from(fault)))
@@ -43,6 +44,19 @@ impl Files {
             Data::Geometry(Geometry::Mesh(mesh)) if mesh.moving.is_none() => Ok(mesh),
             Data::Geometry(Geometry::Mesh(_)) => Err(other(path, "what moves is not read as one with other files")),
             _ => Err(other(path, "there is no mesh in it to be one with those of the other files")),
+        }
+    }
+
+    /// Refuses meshes of different units, by their files and not by their names, which may be alike.
+    fn check_units(&self, units: impl IntoIterator<Item = (usize, LengthUnit)>) -> Result<(), ImportError> {
+        let mut units = units.into_iter();
+        let Some((first, unit)) = units.next() else { return Ok(()) };
+        match units.find(|&(_, other)| other != unit).and_then(|(number, _)| self.paths.get(number)) {
+            Some(path) => {
+                let first = self.paths.get(first).map_or(Path::new(""), PathBuf::as_path);
+                Err(other(path, &format!("this mesh and {} have different units", first.display())))
+            }
+            None => Ok(()),
         }
     }
 
@@ -108,6 +122,7 @@ impl TiledMesh {
     /// If it is not, or the meshes cannot be one.
     pub fn check(&self, survey: &MeshTiles) -> Result<(LengthUnit, Vec<String>), VoxelizeError> {
         survey.check(&self.stamp)?;
+        self.files.check_units(survey.units())?;
         let frame = survey.joined()?.frame;
         Ok((frame.unit, frame.notes))
     }
@@ -199,6 +214,7 @@ impl Content for ManyMeshes {
     fn survey(&mut self, _: &VoxelizeOptions, progress: &VoxelizeProgress) -> Result<(), VoxelizeError> {
         let tiles = self.files.survey("", 0..self.files.paths.len(), progress)?;
         tiles.check("")?;
+        self.files.check_units(tiles.units())?;
         let source = MeshFiles::new(&tiles, self.files.reader())?;
         self.notes.clone_from(&source.joined().frame.notes);
         let survey = tiles.survey(source.joined());

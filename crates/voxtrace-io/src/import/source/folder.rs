@@ -2,6 +2,8 @@
 
 use super::opened;
 use super::watch::Watch;
+#[cfg(feature = "mesh")]
+use super::watch::Watched;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
@@ -64,6 +66,23 @@ impl Folder {
         let outside = || Refused::Outside(uri.into());
         let name = percent_decoded(uri).filter(|name| !has_scheme(name)).ok_or_else(outside)?;
         self.path_of(&name)
+    }
+
+    /// Opens the file that a URI names, judged as by [`Self::read_uri`], and says how many bytes it has; `None` where it is no plain file, which can be
+    /// read but once.
+    #[cfg(feature = "mesh")]
+    pub fn open_uri(&self, uri: &str) -> Result<Option<(Watched<File>, u64)>, Refused> {
+        let io = |error| Refused::Io { name: uri.into(), error };
+        let path = self.path_of_uri(uri)?;
+        if !std::fs::metadata(&path).map_err(io)?.is_file() {
+            return Ok(None);
+        }
+        let file = File::open(&path).map_err(io)?;
+        let length = file.metadata().map_err(io)?.len();
+        if length > self.limit {
+            return Err(Refused::TooLong { name: uri.into(), limit: self.limit });
+        }
+        Ok(Some((Watched { inner: file, watch: Watch::of_thread() }, length)))
     }
 
     /// Reads the file of a relative path; both slashes separate folders.

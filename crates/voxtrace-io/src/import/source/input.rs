@@ -75,6 +75,12 @@ impl<'a> Input<'a> {
         Self::of_file(File::open(path).map_err(|error| ImportError::io(path, error))?, path, limits)
     }
 
+    /// An open file of which `head` was read already, all from its start on; `path` is its name.
+    pub fn of_begun(head: Vec<u8>, file: File, path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        opened::note(path);
+        Ok(Self { window: head, ..Self::of_file(file, path, limits)? })
+    }
+
     /// An open file within the limit on bytes, from its current place on; `path` is its name.
     pub fn of_file(file: File, path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
         let io = |error| ImportError::io(path, error);

@@ -15,6 +15,7 @@ pub(crate) mod zstd;
 
 use folder::Folder;
 use input::Input;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use voxtrace_voxelize::{ImportError, Limits};
 
@@ -40,6 +41,12 @@ impl<'a> Source<'a> {
             return Ok(Self { path, content: Content::Folder, folder: Folder::at(path, limits) });
         }
         let input = Input::open(path, &Limits { bytes: u64::MAX, ..*limits })?;
+        Ok(Self { path, content: Content::File(input), folder: Folder::of(path, limits) })
+    }
+
+    /// A file that is open and of which `head` was read already: a pipe gives its bytes once. As [`Self::open`], else.
+    pub(crate) fn of_begun(head: Vec<u8>, file: File, path: &'a Path, limits: &Limits) -> Result<Self, ImportError> {
+        let input = Input::of_begun(head, file, path, &Limits { bytes: u64::MAX, ..*limits })?;
         Ok(Self { path, content: Content::File(input), folder: Folder::of(path, limits) })
     }
 

@@ -1,7 +1,7 @@
 //! Archives of NumPy arrays, `.npz` (`numpy.savez`, `numpy.savez_compressed`): a ZIP of `.npy` files, of which one is a volume.
 
 use super::npy;
-use crate::import::reader::{ImportOptions, Kind, Reader};
+use crate::import::reader::{ImportOptions, Kind, Reader, Several};
 use crate::import::samples::channels::entry;
 use crate::import::source::archive::Archive;
 use crate::import::source::input::Input;
@@ -15,7 +15,8 @@ pub(crate) const READER: Reader = Reader::new(
     &["npz"],
     "NumPy arrays in a ZIP: the one with the most bytes, or the one that --series numbers",
     |source, options| Ok(read(source.into_input()?.0, options)?.into()),
-);
+)
+.with_several(&[Several::Series, Several::Channels, Several::TimePoints]);
 
 /// Reads an array of an archive.
 fn read(input: Input, options: &ImportOptions) -> Result<Volume, ImportError> {

@@ -17,7 +17,8 @@ pub(crate) const READER: Reader = Reader::new(
     |source, options| Ok(stored(source.into_input()?.0, options)?.read(options)?.into()),
 )
 .with_recognition(|clues| if clues.options.raw.is_some() { Recognition::Sure } else { Recognition::Unknown })
-.with_large_volumes(|source, options| stored(source.into_input()?.0, options)?.large());
+.with_large_volumes(|source, options| stored(source.into_input()?.0, options)?.large())
+.with_several(&[]);
 
 /// Samples of a known shape.
 fn stored<'a>(mut input: Input<'a>, options: &ImportOptions) -> Result<Stored<'a>, ImportError> {

@@ -121,6 +121,12 @@ impl MeshTiles {
         self.tiles.iter_mut().for_each(|(_, tile)| tile.part.frame.unit = unit);
     }
 
+    /// The numbers of the files that were looked through, and the units of their positions.
+    #[doc(hidden)]
+    pub fn units(&self) -> impl Iterator<Item = (usize, LengthUnit)> + '_ {
+        self.tiles.iter().map(|(number, tile)| (*number as usize, tile.part.frame.unit))
+    }
+
     /// Number of triangles of the files that were looked through.
     pub fn triangles(&self) -> u64 {
         self.tiles.iter().map(|(_, tile)| tile.survey.triangles()).sum()

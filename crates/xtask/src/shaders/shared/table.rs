@@ -208,6 +208,7 @@ pub const TABLE: &[Source] = &[
             named("SEED", "FOUND_SEED"),
             named("STRIDE", "FOUND_STRIDE"),
             named("REACH", "FOUND_REACH"),
+            named("MOSTLY", "FOUND_MOSTLY"),
             named("PLACE_TOLERANCE", "FOUND_PLACE_TOLERANCE"),
         ],
     },

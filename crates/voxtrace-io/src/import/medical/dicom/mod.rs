@@ -16,7 +16,7 @@ mod syntax;
 mod tag;
 mod values;
 
-use crate::import::reader::{ImportOptions, Kind, Magic, NotShown, Reader};
+use crate::import::reader::{ImportOptions, Kind, Magic, NotShown, Reader, Several};
 use crate::import::samples::checked_size;
 use crate::import::source::input::Input;
 use elements::File;
@@ -39,7 +39,8 @@ pub(crate) const READER: Reader = Reader::new(
     |source, options| Ok(series::read(source, options)?.into()),
 )
 .with_magic(&[MAGIC])
-.with_folders(series::is_in);
+.with_folders(series::is_in)
+.with_several(&[Several::Series, Several::TimePoints]);
 
 /// First bytes after the preamble of 128.
 const MAGIC: Magic = Magic { offset: 128, bytes: b"DICM" };

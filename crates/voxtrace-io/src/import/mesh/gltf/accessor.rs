@@ -1,8 +1,10 @@
 //! Accessors: arrays of vectors within buffers, interleaved, normalized or sparse (glTF 2.0, section 3.6.2).
 
 use super::Fault;
-use super::buffers::Buffers;
+use super::buffers::{Buffers, Part};
 use super::document::{Accessor, Document};
+use super::file_part::Window;
+use std::borrow::Cow;
 use voxtrace_voxelize::Limits;
 
 const BYTE: u32 = 5120;
@@ -63,16 +65,15 @@ impl<'a> Accessors<'a> {
         };
         let kind = accessor.component_type;
         let zero = { [0.0, 0.0, 0.0, missing] };
-        let replaced = self.sparse(index, accessor, width)?;
-        let mut replaced = replaced.into_iter().peekable();
-        let elements = self.elements(index, accessor, width)?;
+        let mut replaced = self.sparse(index, accessor, width)?;
+        let mut elements = self.elements(index, accessor, width)?;
         for item in 0..accessor.count {
-            if let Some((_, element)) = replaced.next_if(|&(at, _)| at == item) {
+            if let Some(element) = replaced.as_mut().and_then(|replaced| replaced.next_at(item)) {
                 each(read(element, kind)?);
                 continue;
             }
-            match &elements {
-                Some(elements) => each(read(elements.at(item), kind)?),
+            match &mut elements {
+                Some(elements) => each(read(elements.at(item)?, kind)?),
                 None => each(zero),
             }
         }
@@ -85,20 +86,33 @@ impl<'a> Accessors<'a> {
         if accessor.component_type != FLOAT {
             return Err(Fault::malformed(format!("accessor {index} holds matrices that are no floats")));
         }
-        let replaced = self.sparse(index, accessor, 16)?;
-        let mut replaced = replaced.into_iter().peekable();
-        let elements = self.elements(index, accessor, 16)?;
-        let matrix = |item: usize| {
-            let replaced = replaced.next_if(|&(at, _)| at == item).map(|(_, element)| element);
-            let element = replaced.or_else(|| elements.as_ref().map(|elements| elements.at(item)));
+        let mut replaced = self.sparse(index, accessor, 16)?;
+        let mut elements = self.elements(index, accessor, 16)?;
+        let matrix = |item: usize| -> Result<[f32; 16], Fault> {
+            let own = replaced.as_mut().and_then(|replaced| replaced.next_at(item));
+            let element = match (own, &mut elements) {
+                (Some(own), _) => Some(own),
+                (None, Some(elements)) => Some(elements.at(item)?),
+                (None, None) => None,
+            };
             let number = |n: usize| element.map_or(0.0, |bytes| component(&bytes[4 * n..], FLOAT, false));
-            std::array::from_fn(number)
+            Ok(std::array::from_fn(number))
         };
-        Ok((0..accessor.count.min(most)).map(matrix).collect())
+        (0..accessor.count.min(most)).map(matrix).collect()
     }
 
     /// The whole numbers of an accessor of scalars.
     pub fn indices(&self, index: usize) -> Result<Vec<u32>, Fault> {
+        let mut indices = Vec::new();
+        self.each_index(index, |number| {
+            indices.push(number);
+            Ok(())
+        })?;
+        Ok(indices)
+    }
+
+    /// Calls `each` with every whole number of an accessor of scalars.
+    pub fn each_index(&self, index: usize, mut each: impl FnMut(u32) -> Result<(), Fault>) -> Result<(), Fault> {
         let accessor = self.accessor(index)?;
         let kind = accessor.component_type;
         if accessor.kind != "SCALAR" || !is_whole(kind) {
@@ -108,8 +122,8 @@ impl<'a> Accessors<'a> {
             return Err(Fault::unsupported("sparse indices"));
         }
         let elements = self.elements(index, accessor, 1)?;
-        let elements = elements.ok_or_else(|| Fault::malformed(format!("accessor {index} has no buffer view")))?;
-        Ok((0..accessor.count).map(|item| whole(elements.at(item), kind)).collect())
+        let mut elements = elements.ok_or_else(|| Fault::malformed(format!("accessor {index} has no buffer view")))?;
+        (0..accessor.count).try_for_each(|item| each(whole(elements.at(item)?, kind)))
     }
 
     /// The elements of an accessor, `None` where they are all zero.
@@ -122,61 +136,87 @@ impl<'a> Accessors<'a> {
             return Ok(None);
         };
         let size = size_of_component(accessor.component_type)? * width;
-        let (bytes, stride) = self.buffers.view(view)?;
+        let (part, stride) = self.buffers.view(view)?;
         let stride = stride.unwrap_or(size);
         if stride < size {
             return Err(Fault::malformed(format!("accessor {index} has elements larger than their stride")));
         }
-        Elements::new(bytes, accessor.byte_offset, stride, size, accessor.count)
+        Elements::new(&part, accessor.byte_offset, stride, size, accessor.count)
             .map(Some)
             .ok_or_else(|| Fault::malformed(format!("accessor {index} goes beyond its buffer view")))
     }
 
-    /// Elements that replace others, in ascending order.
-    fn sparse(&self, index: usize, accessor: &Accessor, width: usize) -> Result<Vec<(usize, &'a [u8])>, Fault> {
-        let Some(sparse) = &accessor.sparse else { return Ok(Vec::new()) };
+    /// Elements that replace others; `None` where it has none.
+    fn sparse(&self, index: usize, accessor: &Accessor, width: usize) -> Result<Option<Replaced<'a>>, Fault> {
+        let Some(sparse) = &accessor.sparse else { return Ok(None) };
         let fault = |what: &str| Fault::malformed(format!("the sparse part of accessor {index} {what}"));
         let kind = sparse.indices.component_type;
         if !is_whole(kind) || sparse.count > accessor.count {
             return Err(fault("is impossible"));
         }
+        let of_view = |view: usize, offset: usize, size: usize| {
+            let part = self.buffers.view(view)?.0;
+            let part = size.checked_mul(sparse.count).and_then(|length| part.slice(offset, length));
+            part.ok_or_else(|| fault("goes beyond its buffer view"))?.bytes()
+        };
         let size = size_of_component(kind)?;
-        let (bytes, _) = self.buffers.view(sparse.indices.buffer_view)?;
-        let indices = Elements::new(bytes, sparse.indices.byte_offset, size, size, sparse.count);
-        let indices = indices.ok_or_else(|| fault("goes beyond its buffer view"))?;
+        let indices = of_view(sparse.indices.buffer_view, sparse.indices.byte_offset, size)?;
+        let places: Vec<usize> = indices.chunks_exact(size).map(|bytes| whole(bytes, kind) as usize).collect();
         let size = size_of_component(accessor.component_type)? * width;
-        let (bytes, _) = self.buffers.view(sparse.values.buffer_view)?;
-        let values = Elements::new(bytes, sparse.values.byte_offset, size, size, sparse.count);
-        let values = values.ok_or_else(|| fault("goes beyond its buffer view"))?;
-        let pairs: Vec<_> = (0..sparse.count).map(|i| (whole(indices.at(i), kind) as usize, values.at(i))).collect();
-        if !pairs.is_sorted_by(|a, b| a.0 < b.0) || pairs.last().is_some_and(|last| last.0 >= accessor.count) {
+        let values = of_view(sparse.values.buffer_view, sparse.values.byte_offset, size)?;
+        if !places.is_sorted_by(|a, b| a < b) || places.last().is_some_and(|&last| last >= accessor.count) {
             return Err(fault("has indices out of order"));
         }
-        Ok(pairs)
+        Ok(Some(Replaced { places, values, size, next: 0 }))
     }
 }
 
-/// Elements of one size at equal distances.
-struct Elements<'a> {
-    bytes: &'a [u8],
-    stride: usize,
+/// Elements that replace others, which are taken in ascending order.
+struct Replaced<'a> {
+    places: Vec<usize>,
+    values: Cow<'a, [u8]>,
     size: usize,
+    next: usize,
+}
+
+impl Replaced<'_> {
+    /// What stands in the place of an item, if the next one that is replaced is this.
+    fn next_at(&mut self, item: usize) -> Option<&[u8]> {
+        let at = self.next;
+        self.places.get(at).filter(|&&place| place == item)?;
+        self.next += 1;
+        self.values.get(at * self.size..(at + 1) * self.size)
+    }
+}
+
+/// Elements of one size at equal distances, which are taken in ascending order.
+enum Elements<'a> {
+    Memory { bytes: &'a [u8], stride: usize, size: usize },
+    File(Window<'a>),
 }
 
 impl<'a> Elements<'a> {
     /// `None` where they go beyond the bytes.
-    fn new(bytes: &'a [u8], offset: usize, stride: usize, size: usize, count: usize) -> Option<Self> {
-        let bytes = bytes.get(offset..)?;
+    fn new(part: &Part<'a>, offset: usize, stride: usize, size: usize, count: usize) -> Option<Self> {
         let needed = match count {
             0 => 0,
             _ => stride.checked_mul(count - 1)?.checked_add(size)?,
         };
-        (needed <= bytes.len()).then_some(Self { bytes, stride, size })
+        Some(match part.slice(offset, needed)? {
+            Part::Memory(bytes) => Self::Memory { bytes, stride, size },
+            Part::File(part, range) => Self::File(Window::new(part, range.start, [stride, size, count])),
+        })
     }
 
-    fn at(&self, item: usize) -> &'a [u8] {
-        let start = item * self.stride;
-        &self.bytes[start..start + self.size]
+    #[inline]
+    fn at(&mut self, item: usize) -> Result<&[u8], Fault> {
+        match self {
+            Self::Memory { bytes, stride, size } => {
+                let start = item * *stride;
+                Ok(&bytes[start..start + *size])
+            }
+            Self::File(window) => window.at(item),
+        }
     }
 }
 

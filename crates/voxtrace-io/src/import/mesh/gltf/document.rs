@@ -177,6 +177,9 @@ pub(super) struct Picture {
 #[derive(Deserialize)]
 pub(super) struct GltfMesh {
     pub primitives: Vec<Primitive>,
+    /// Of its morph targets, where a node says nothing else.
+    #[serde(default)]
+    pub weights: Vec<f32>,
 }
 
 #[derive(Deserialize)]
@@ -186,8 +189,9 @@ pub(super) struct Primitive {
     pub material: Option<usize>,
     #[serde(default = "triangles")]
     pub mode: u32,
+    /// Morph targets: attributes, and the accessors of what is added to them.
     #[serde(default)]
-    pub targets: Vec<IgnoredAny>,
+    pub targets: Vec<BTreeMap<String, usize>>,
     #[serde(default)]
     pub extensions: PrimitiveExtensions,
 }
@@ -245,6 +249,8 @@ pub(super) struct Node {
     pub translation: Option<[f64; 3]>,
     pub rotation: Option<[f64; 4]>,
     pub scale: Option<[f64; 3]>,
+    /// Of the morph targets of its mesh.
+    pub weights: Option<Vec<f32>>,
 }
 
 /// What is wrong with a skin does not matter where no node wears it.

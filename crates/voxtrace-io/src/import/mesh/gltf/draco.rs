@@ -15,13 +15,13 @@ pub(super) struct Geometry<'a> {
 
 impl<'a> Geometry<'a> {
     pub fn read(names: &'a Draco, buffers: &Buffers, limits: &Limits) -> Result<Self, Fault> {
-        let (bytes, _) = buffers.view(names.buffer_view)?;
+        let bytes = buffers.view(names.buffer_view)?.0.bytes()?;
         let most = DecodeLimits::default()
             .with_max_points(limits.points)
             .with_max_faces(limits.points)
             .with_max_decoded_bytes(limits.bytes);
         let mut mesh = Mesh::new();
-        let decoded = MeshDecoder::new().decode(&mut DecoderBuffer::new(bytes).with_limits(most), &mut mesh);
+        let decoded = MeshDecoder::new().decode(&mut DecoderBuffer::new(&bytes).with_limits(most), &mut mesh);
         decoded.map_err(|error| Fault::malformed(format!("KHR_draco_mesh_compression: {error}")))?;
         if mesh.num_points() as u64 > limits.points {
             return Err(Fault::limit("vertices", mesh.num_points() as u64, limits.points));

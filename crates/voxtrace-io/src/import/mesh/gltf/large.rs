@@ -1,5 +1,5 @@
 //! Binary glTF files, and texts with one file beside them, larger than memory: the document and its pictures are read, arrays stay in the file, and triangles are
-//! made one after the other. What is not plain (compressed or sparse arrays, buffers in other files, skins, faults) is left to the
+//! made one after the other. What is not plain (compressed or sparse arrays, buffers in other files, skins, morph targets with a weight, faults) is left to the
 //! reader that reads all of it.
 
 use super::arrays::{Array, Container, container, pictures};
@@ -8,7 +8,7 @@ use super::document::{Document, Primitive};
 use super::moving::Movers;
 use super::primitives::{coordinates, has_triangles, placed, triangle_at, triangle_count};
 use super::scene::{Found, Looks, cameras_at, look, note_of_skipped, visit};
-use super::{Buffers, check};
+use super::{Buffers, check, morphs};
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, Vec2, Vec4};
@@ -62,17 +62,18 @@ impl GltfTriangles {
         let views = pictures(&document, &mut file, &binary, budget).map_err(io)?;
         let (Some(views), Ok(())) = (views, check(&document, limits)) else { return Ok(None) };
         let Ok(Looks { mesh: mut frame, coordinate_sets }) =
-            look(&document, &Buffers::of_views(&document, views), &folder, limits, (false, 0))
+            look(&document, &Buffers::of_views(&document, views), &folder, limits, false)
         else {
             return Ok(None);
         };
         let (mut parts, mut skipped, mut is_plain) = (Vec::new(), 0, true);
-        let found = visit(&document, limits, &mut Movers::default(), &mut |primitive, place| {
+        let found = visit(&document, limits, &mut Movers::default(), &mut |worn, place| {
+            let primitive = worn.primitive;
             if !has_triangles(primitive) {
                 skipped += 1;
             } else {
                 let part = Part::of(primitive, place.world, &document, &binary, &frame, &coordinate_sets);
-                is_plain &= part.is_some();
+                is_plain &= part.is_some() && !morphs::are_seen(primitive, worn.weights);
                 parts.extend(part);
             }
             Ok(())

@@ -27,7 +27,8 @@ pub(super) fn read(
     limits: &Limits,
     mesh: &mut Mesh,
 ) -> Result<CoordinateSets, Fault> {
-    let mut images = Images { document, buffers, folder, limits, taken: 0, known: vec![None; document.images.len()] };
+    let known = vec![None; document.images.len()];
+    let mut images = Images { document, buffers, folder, limits, taken: 0, stored: 0, known };
     let mut sets = Vec::new();
     mesh.notes.extend(unread_textures(document));
     for material in &document.materials {
@@ -141,6 +142,8 @@ struct Images<'a> {
     limits: &'a Limits,
     /// Bytes of all pictures.
     taken: u64,
+    /// Bytes of the views that they were in: many pictures may name one.
+    stored: u64,
     /// Index in the mesh; the inner `None` is a picture that cannot be read.
     known: Vec<Option<Option<u32>>>,
 }
@@ -196,7 +199,14 @@ impl Images<'_> {
                 Err(Fault { kind: voxtrace_voxelize::ImportErrorKind::Io(error), .. }) => Err(error.to_string()),
                 Err(fault) => return Err(fault),
             },
-            (None, Some(view)) => decode(self.buffers.view(view)?.0),
+            (None, Some(view)) => {
+                let part = self.buffers.view(view)?.0;
+                self.stored = self.stored.saturating_add(part.len() as u64);
+                if self.stored > limits.bytes {
+                    return Err(Fault::limit("bytes of pictures", self.stored, limits.bytes));
+                }
+                decode(&part.bytes()?)
+            }
             (None, None) => Err("nothing says where it is".into()),
         };
         match decoded {

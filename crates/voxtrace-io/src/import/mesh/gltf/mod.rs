@@ -1,5 +1,5 @@
 //! glTF 2.0, as text with its files beside it and as one binary file (Khronos, "glTF 2.0 Specification"). Read are triangles
-//! with their nodes, skins, materials, pictures and cameras, and the animations of nodes; of a document without triangles its points and lines.
+//! with their nodes, skins, morph targets, materials, pictures and cameras, and animations; of a document without triangles its points and lines.
 
 mod accessor;
 mod animations;
@@ -8,13 +8,16 @@ mod base64;
 mod buffers;
 mod byte_cache;
 mod cameras;
+mod changing;
 mod document;
 mod draco;
+mod file_part;
 mod large;
 mod layers;
 mod material_json;
 mod materials;
 mod meshopt;
+mod morphs;
 mod moving;
 mod not_shown;
 mod primitives;
@@ -24,10 +27,14 @@ mod skins;
 use crate::import::reader::{Geometry, ImportOptions, Kind, LargeContent, Magic, Reader};
 use crate::import::source::folder::Folder;
 use crate::import::source::input::{Input, without_mark};
-use buffers::Buffers;
+use buffers::{Buffers, Content};
 use document::Document;
+use file_part::FilePart;
 use serde::de::IgnoredAny;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::io::{ErrorKind, SeekFrom};
+use std::ops::Range;
 use std::path::Path;
 use voxtrace_voxelize::mesh::UpAxis;
 use voxtrace_voxelize::{ImportError, ImportErrorKind, Limits};
@@ -91,17 +98,40 @@ impl Fault {
     }
 }
 
-/// Reads a glTF file of either kind.
-fn read(input: Input, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
+/// Reads a glTF file of either kind. The arrays of a binary one stay in the file until they are needed.
+fn read(mut input: Input, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
     let path = input.path();
-    let bytes = input.rest()?;
-    read_whole(&bytes, path, folder, options)
+    if !input.peek(MAGIC.len())?.starts_with(MAGIC) || input.file()?.is_none() {
+        return read_whole(&input.rest()?, path, folder, options);
+    }
+    let (mut file, length) = input.seekable()?;
+    let mut fill = |at: u64, bytes: &mut [u8]| {
+        let read = file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(bytes));
+        read.map_err(|error| match error.kind() {
+            // It has become shorter meanwhile.
+            ErrorKind::UnexpectedEof => ImportError::truncated(path, at, "a chunk"),
+            _ => ImportError::io(path, error),
+        })
+    };
+    let Container { json, binary } = container(length, path, &mut fill)?;
+    let mut text = vec![0; (json.end - json.start) as usize];
+    fill(json.start, &mut text)?;
+    let document = parse(&text, json.start, path)?;
+    drop(text);
+    let binary = binary.map(|range| Content::File(FilePart::new(file, range)));
+    geometry(&document, json.start, binary, (path, folder, options))
 }
 
 fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, options: &ImportOptions) -> Result<Geometry, ImportError> {
-    let limits = &options.limits;
-    let Container { json, json_offset, binary } = split(bytes, path)?;
-    let document: Document = serde_json::from_slice(json).map_err(|error| {
+    let (json, json_offset, binary) = split(bytes, path)?;
+    let document = parse(json, json_offset, path)?;
+    let binary = binary.map(|bytes| Content::Memory(Cow::Borrowed(bytes)));
+    geometry(&document, json_offset, binary, (path, folder, options))
+}
+
+/// The document of a text, which begins at a byte of the file.
+fn parse(json: &[u8], json_offset: u64, path: &Path) -> Result<Document, ImportError> {
+    serde_json::from_slice(json).map_err(|error| {
         if let Some(version) = old_version(json) {
             return ImportError::at(path, json_offset, ImportErrorKind::Unsupported(too_old(&version)));
         }
@@ -111,11 +141,21 @@ fn read_whole(bytes: &[u8], path: &Path, folder: &Folder, options: &ImportOption
         } else {
             ImportError::malformed(path, offset, format!("JSON: {error}"))
         }
-    })?;
+    })
+}
+
+/// What a document and its binary chunk say.
+fn geometry(
+    document: &Document,
+    json_offset: u64,
+    binary: Option<Content>,
+    (path, folder, options): (&Path, &Folder, &ImportOptions),
+) -> Result<Geometry, ImportError> {
+    let limits = &options.limits;
     let read = || {
-        check(&document, limits)?;
-        let buffers = Buffers::read(&document, binary, folder, limits)?;
-        scene::read(&document, &buffers, folder, options)
+        check(document, limits)?;
+        let buffers = Buffers::read(document, binary, folder, limits)?;
+        scene::read(document, &buffers, folder, options)
     };
     read().map_err(|fault| ImportError::at(path, json_offset + fault.offset, fault.kind))
 }
@@ -149,47 +189,67 @@ fn too_old(version: &str) -> String {
     format!("glTF of version {version:.40}; version 2 is read: convert it, for example with gltf-pipeline")
 }
 
-/// The parts of a file.
-struct Container<'a> {
-    json: &'a [u8],
-    json_offset: u64,
-    binary: Option<&'a [u8]>,
+/// Where the parts of a binary file lie.
+struct Container {
+    json: Range<u64>,
+    binary: Option<Range<u64>>,
 }
 
-fn split<'a>(bytes: &'a [u8], path: &Path) -> Result<Container<'a>, ImportError> {
+/// The parts of a file in memory: its text, where that begins, and the binary chunk.
+type Parts<'a> = (&'a [u8], u64, Option<&'a [u8]>);
+
+fn split<'a>(bytes: &'a [u8], path: &Path) -> Result<Parts<'a>, ImportError> {
     if !bytes.starts_with(MAGIC) {
         let json = without_mark(bytes);
-        return Ok(Container { json, json_offset: (bytes.len() - json.len()) as u64, binary: None });
+        return Ok((json, (bytes.len() - json.len()) as u64, None));
     }
-    let word = |at: usize| {
-        let bytes =
-            bytes.get(at..at + 4).ok_or_else(|| ImportError::truncated(path, bytes.len() as u64, "a header"))?;
-        Ok(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+    let part = |range: &Range<u64>| &bytes[range.start as usize..range.end as usize];
+    let fill = |at: u64, word: &mut [u8]| {
+        word.copy_from_slice(part(&(at..at + word.len() as u64)));
+        Ok(())
     };
-    let (version, length) = (word(4)?, word(8)? as usize);
+    let Container { json, binary } = container(bytes.len() as u64, path, fill)?;
+    Ok((part(&json), json.start, binary.as_ref().map(part)))
+}
+
+/// Where the parts of a binary file of so many bytes lie, of which `fill` gives those from a place on that is in it.
+fn container(
+    bytes: u64,
+    path: &Path,
+    mut fill: impl FnMut(u64, &mut [u8]) -> Result<(), ImportError>,
+) -> Result<Container, ImportError> {
+    let mut word = |at: u64| {
+        if at + 4 > bytes {
+            return Err(ImportError::truncated(path, bytes, "a header"));
+        }
+        let mut word = [0; 4];
+        fill(at, &mut word).map(|()| u32::from_le_bytes(word))
+    };
+    let (version, length) = (word(4)?, u64::from(word(8)?));
     if version != 2 {
         return Err(ImportError::at(path, 4, ImportErrorKind::Unsupported(too_old(&version.to_string()))));
     }
-    if length > bytes.len() {
+    if length > bytes {
         let what = format!("the {length} bytes that its header announces");
-        return Err(ImportError::truncated(path, bytes.len() as u64, what));
+        return Err(ImportError::truncated(path, bytes, what));
     }
     let (mut json, mut binary) = (None, None);
     let mut at = 12;
     while at + 8 <= length {
-        let (size, kind) = (word(at)? as usize, word(at + 4)?);
-        let start = at + 8;
-        let chunk = bytes[..length].get(start..start.saturating_add(size));
-        let chunk = chunk.ok_or_else(|| ImportError::truncated(path, length as u64, "a chunk"))?;
+        let (size, kind) = (u64::from(word(at)?), word(at + 4)?);
+        let chunk = at + 8..at + 8 + size;
+        if chunk.end > length {
+            return Err(ImportError::truncated(path, length, "a chunk"));
+        }
+        at = chunk.end;
         match kind {
-            CHUNK_JSON if json.is_none() => json = Some((chunk, start as u64)),
+            CHUNK_JSON if json.is_none() => json = Some(chunk),
             CHUNK_BIN if binary.is_none() => binary = Some(chunk),
             _ => {}
         }
-        at = start + size;
     }
-    let (json, json_offset) = json.ok_or_else(|| ImportError::malformed(path, 12, "the JSON chunk is missing"))?;
-    Ok(Container { json, json_offset, binary })
+    let json = json.ok_or_else(|| ImportError::malformed(path, 12, "the JSON chunk is missing"))?;
+    Ok(Container { json, binary })
 }
 
 /// Byte of a line and a column, both from 1 on.

@@ -4,6 +4,7 @@ use super::Fault;
 use super::accessor::Accessors;
 use super::document::Primitive;
 use super::draco::Geometry;
+use super::morphs;
 use super::skins::{Bound, Pose};
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::local_origin::LocalOrigin;
@@ -20,7 +21,7 @@ const FAN: u32 = 6;
 /// Where the attributes of a primitive come from.
 pub(super) struct Source<'a> {
     pub accessors: &'a Accessors<'a>,
-    packed: Option<&'a Geometry<'a>>,
+    pub packed: Option<&'a Geometry<'a>>,
 }
 
 impl Source<'_> {
@@ -40,6 +41,12 @@ impl Source<'_> {
             None => self.accessors.vectors(index, kinds, missing, each),
         }
     }
+}
+
+/// What is packed of a primitive, if something is.
+pub(super) fn packed<'a>(primitive: &'a Primitive, accessors: &Accessors) -> Result<Option<Geometry<'a>>, Fault> {
+    let packed = primitive.extensions.draco.as_ref();
+    packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()
 }
 
 /// Whether a primitive has triangles.
@@ -67,7 +74,8 @@ pub(super) fn placed(world: &DAffine3, [x, y, z, _]: [f32; 4]) -> DVec3 {
     raised(world.transform_point3(DVec3::new(x.into(), y.into(), z.into())))
 }
 
-fn raised(point: DVec3) -> DVec3 {
+/// A point of the file's axes in ours.
+pub(super) fn raised(point: DVec3) -> DVec3 {
     DVec3::new(point.x, -point.z, point.y)
 }
 
@@ -94,6 +102,15 @@ struct Vertices {
     material: usize,
 }
 
+/// What shapes the vertices of a primitive before it is placed.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Form<'a> {
+    /// Of its morph targets.
+    pub weights: &'a [f32],
+    /// Of the joints that its vertices follow.
+    pub pose: Option<&'a Pose>,
+}
+
 /// Where primitives go.
 pub(super) struct Target<'a> {
     pub mesh: &'a mut Mesh,
@@ -110,15 +127,14 @@ impl Target<'_> {
         primitive: &Primitive,
         accessors: &Accessors,
         world: &DAffine3,
-        pose: Option<&Pose>,
+        form: Form,
     ) -> Result<bool, Fault> {
         let position = primitive.attributes.get("POSITION").filter(|_| has_triangles(primitive));
         let Some(&position) = position else { return Ok(false) };
-        let packed = primitive.extensions.draco.as_ref();
-        let packed = packed.map(|draco| Geometry::read(draco, accessors.buffers, accessors.limits)).transpose()?;
+        let packed = packed(primitive, accessors)?;
         let source = Source { accessors, packed: packed.as_ref() };
-        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, (world, pose))?;
-        let is_mirrored = (world.matrix3.determinant() < 0.0) != pose.is_some_and(Pose::is_mirrored);
+        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, (world, form))?;
+        let is_mirrored = (world.matrix3.determinant() < 0.0) != form.pose.is_some_and(Pose::is_mirrored);
         self.push_triangles(primitive, &source, [first, count], is_mirrored)?;
         self.mesh.material_of.resize(self.mesh.triangles.len(), material as u16);
         Ok(true)
@@ -131,13 +147,13 @@ impl Target<'_> {
         primitive: &Primitive,
         accessors: &Accessors,
         world: &DAffine3,
-        pose: Option<&Pose>,
+        form: Form,
         lines: &mut Lines,
     ) -> Result<bool, Fault> {
         let position = primitive.attributes.get("POSITION").filter(|_| primitive.mode < TRIANGLES);
         let Some(&position) = position else { return Ok(false) };
         let source = Source { accessors, packed: None };
-        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, (world, pose))?;
+        let Vertices { first, count, material } = self.push_vertices(primitive, position, &source, (world, form))?;
         let base_color = self.mesh.materials[material].base_color;
         if material > 0 {
             self.mesh.colors.resize(first + count, Vec4::ONE);
@@ -168,7 +184,7 @@ impl Target<'_> {
         primitive: &Primitive,
         position: usize,
         source: &Source,
-        (world, pose): (&DAffine3, Option<&Pose>),
+        (world, form): (&DAffine3, Form),
     ) -> Result<Vertices, Fault> {
         let accessors = source.accessors;
         let accessor = accessors.document.accessors.get(position);
@@ -179,7 +195,8 @@ impl Target<'_> {
         }
         let limit = accessors.limits.points;
         let first = self.mesh.positions.len();
-        let announced = first as u64 + accessor.map_or(0, |accessor| accessor.count) as u64;
+        let own = accessor.map_or(0, |accessor| accessor.count);
+        let announced = first as u64 + own as u64;
         if announced > limit {
             return Err(Fault::limit("vertices", announced, limit));
         }
@@ -189,18 +206,25 @@ impl Target<'_> {
                 u32::MAX
             )));
         }
-        let bound = pose.map(|pose| Bound::read(pose, primitive, source)).transpose()?;
+        let bound = form.pose.map(|pose| Ok::<_, Fault>((Bound::read(pose, primitive, source)?, pose))).transpose()?;
+        let offsets = morphs::offsets(primitive, form.weights, own, source)?;
         let mut vertex = 0;
-        let push = |point: [f32; 4]| {
-            let point = match &bound {
-                Some(bound) => raised(world.transform_point3(bound.placed(vertex, point))),
-                None => placed(world, point),
-            };
+        let push = |[x, y, z, _]: [f32; 4]| {
+            let mut point = DVec3::new(x.into(), y.into(), z.into());
+            if let Some(offset) = offsets.get(vertex) {
+                point += *offset;
+            }
+            if let Some((bound, pose)) = &bound {
+                point = bound.placed(vertex, point, pose.joints());
+            }
             vertex += 1;
-            self.mesh.positions.push(self.local_origin.localized(point));
+            self.mesh.positions.push(self.local_origin.localized(raised(world.transform_point3(point))));
         };
         let count = source.vectors("POSITION", position, &["VEC3"], 0.0, push)?;
-        bound.map_or(Ok(()), |bound| check_count(bound.count(), count))?;
+        bound.map_or(Ok(()), |(bound, _)| check_count(bound.count(), count))?;
+        if !offsets.is_empty() {
+            check_count(offsets.len(), count)?;
+        }
         if self.mesh.positions.len() as u64 > limit {
             return Err(Fault::limit("vertices", self.mesh.positions.len() as u64, limit));
         }
@@ -248,23 +272,41 @@ impl Target<'_> {
         [first, count]: [usize; 2],
         is_mirrored: bool,
     ) -> Result<(), Fault> {
-        let corners = match (source.packed, primitive.indices) {
-            (Some(packed), _) => packed.corners(),
-            (None, Some(indices)) => source.accessors.indices(indices)?,
-            (None, None) => (0..count as u32).collect(),
-        };
-        if let Some(corner) = corners.iter().find(|&&corner| corner as usize >= count) {
-            return Err(Fault::malformed(format!("a triangle names vertex {corner} of {count}")));
-        }
-        let first = first as u32;
+        let base = first as u32;
+        let triangles = &mut self.mesh.triangles;
         let mut push = |[a, b, c]: [u32; 3]| {
             let (b, c) = if is_mirrored { (c, b) } else { (b, c) };
-            self.mesh.triangles.push([a + first, b + first, c + first]);
+            triangles.push([a + base, b + base, c + base]);
+        };
+        let check = |corner: u32| match (corner as usize) < count {
+            true => Ok(corner),
+            false => Err(Fault::malformed(format!("a triangle names vertex {corner} of {count}"))),
         };
         // What is packed are triangles, whatever they were.
-        let mode = if source.packed.is_some() { TRIANGLES } else { primitive.mode };
-        let places = (0..triangle_count(mode, corners.len() as u64)).map(|at| triangle_at(mode, at));
-        places.for_each(|places| push(places.map(|place| corners[place as usize])));
+        match (source.packed, primitive.indices) {
+            (None, Some(indices)) if primitive.mode == TRIANGLES => {
+                let (mut corners, mut known) = ([0; 3], 0);
+                source.accessors.each_index(indices, |corner| {
+                    corners[known] = check(corner)?;
+                    known = (known + 1) % 3;
+                    if known == 0 {
+                        push(corners);
+                    }
+                    Ok(())
+                })?;
+            }
+            (packed, indices) => {
+                let corners = match (packed, indices) {
+                    (Some(packed), _) => packed.corners(),
+                    (None, Some(indices)) => source.accessors.indices(indices)?,
+                    (None, None) => (0..count as u32).collect(),
+                };
+                corners.iter().try_for_each(|&corner| check(corner).map(drop))?;
+                let mode = if packed.is_some() { TRIANGLES } else { primitive.mode };
+                let places = (0..triangle_count(mode, corners.len() as u64)).map(|at| triangle_at(mode, at));
+                places.for_each(|places| push(places.map(|place| corners[place as usize])));
+            }
+        }
         let triangles = self.mesh.triangles.len() as u64;
         if triangles > source.accessors.limits.points {
             return Err(Fault::limit("triangles", triangles, source.accessors.limits.points));

@@ -4,9 +4,9 @@ use super::accessor::Accessors;
 use super::buffers::Buffers;
 use super::document::{Document, GltfCamera, Node, Primitive};
 use super::moving::{Carried, Movers, Parts};
-use super::primitives::{Target, has_triangles};
-use super::skins::Skins;
-use super::{Fault, animations, cameras, materials, not_shown};
+use super::primitives::{Form, Target, has_triangles};
+use super::skins::{Skins, is_bound};
+use super::{Fault, animations, cameras, materials, morphs, not_shown};
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::local_origin::LocalOrigin;
 use crate::import::reader::{Geometry, ImportOptions};
@@ -31,24 +31,29 @@ pub(super) fn read(
     let played = animations::chosen(document, &options.animation);
     let mut movers = played.map(|clip| Movers::of(clip, &accessors)).transpose()?.unwrap_or_default();
     let skins = Skins::of(document, limits, &movers);
-    let seen = (played.is_some(), skins.bent());
-    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, seen)?;
+    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, played.is_some())?;
     let mut target =
         Target { mesh: &mut mesh, local_origin: LocalOrigin::default(), coordinate_sets: &coordinate_sets };
     let (mut skipped, mut parts) = (0, Parts::default());
-    let Found { cameras, skinned } = visit(document, limits, &mut movers, &mut |primitive, place| {
+    let Found { cameras, skinned } = visit(document, limits, &mut movers, &mut |worn, place| {
         match place.carried {
-            Some(carried) if has_triangles(primitive) => parts.add(primitive, carried, None),
+            Some(carried) if has_triangles(worn.primitive) => parts.add(worn, carried, None),
             Some(_) => skipped += 1,
-            None => skipped += usize::from(!target.push(primitive, &accessors, &place.world, None)?),
+            None => skipped += usize::from(!target.push(worn.primitive, &accessors, &place.world, worn.form())?),
         }
         Ok(())
     })?;
-    for (primitive, carried, pose) in skins.posed(&skinned, &accessors, &movers)? {
-        match carried {
-            Some(carried) if has_triangles(primitive) => parts.add(primitive, carried, Some(pose)),
+    for posed in skins.posed(&skinned, &accessors, &movers)? {
+        let worn = posed.worn;
+        match movers.carry(&posed, document) {
+            Some(carried) if has_triangles(worn.primitive) => {
+                parts.add(worn, carried, Some((posed.pose, posed.bends)));
+            }
             Some(_) => skipped += 1,
-            None => skipped += usize::from(!target.push(primitive, &accessors, &DAffine3::IDENTITY, Some(&pose))?),
+            None => {
+                let form = Form { pose: Some(&posed.pose), ..worn.form() };
+                skipped += usize::from(!target.push(worn.primitive, &accessors, &DAffine3::IDENTITY, form)?);
+            }
         }
     }
     if target.mesh.triangles.is_empty() && parts.is_empty() {
@@ -62,7 +67,8 @@ pub(super) fn read(
         mesh.cameras.push(camera);
     }
     if let Some(clip) = played {
-        parts.hang(movers, carried_cameras, clip, &mut mesh, (&accessors, &coordinate_sets))?;
+        let clip = (clip, options.shape_rate);
+        parts.hang((movers, &skins), carried_cameras, clip, &mut mesh, (&accessors, &coordinate_sets))?;
     }
     mesh.notes.extend(note_of_skipped(skipped));
     Ok(Geometry::Mesh(mesh))
@@ -71,11 +77,12 @@ pub(super) fn read(
 /// Reads a document without triangles: its points, and points along its lines.
 fn loose(skins: &Skins, accessors: &Accessors, mut target: Target) -> Result<PointCloud, Fault> {
     let mut lines = Lines::default();
-    let found = visit(accessors.document, accessors.limits, &mut Movers::default(), &mut |primitive, place| {
-        target.push_loose(primitive, accessors, &place.world, None, &mut lines).map(drop)
+    let found = visit(accessors.document, accessors.limits, &mut Movers::default(), &mut |worn, place| {
+        target.push_loose(worn.primitive, accessors, &place.world, worn.form(), &mut lines).map(drop)
     })?;
-    for (primitive, _, pose) in skins.posed(&found.skinned, accessors, &Movers::default())? {
-        target.push_loose(primitive, accessors, &DAffine3::IDENTITY, Some(&pose), &mut lines)?;
+    for posed in skins.posed(&found.skinned, accessors, &Movers::default())? {
+        let form = Form { pose: Some(&posed.pose), ..posed.worn.form() };
+        target.push_loose(posed.worn.primitive, accessors, &DAffine3::IDENTITY, form, &mut lines)?;
     }
     let mut mesh = std::mem::replace(target.mesh, Mesh::new(""));
     if mesh.positions.is_empty() {
@@ -94,13 +101,13 @@ pub(super) struct Looks {
     pub coordinate_sets: materials::CoordinateSets,
 }
 
-/// Reads materials and pictures; one of the animations may be played, and bend so many skins.
+/// Reads materials and pictures; one of the animations may be played.
 pub(super) fn look(
     document: &Document,
     buffers: &Buffers,
     folder: &Folder,
     limits: &Limits,
-    (is_played, bent_skins): (bool, u64),
+    is_played: bool,
 ) -> Result<Looks, Fault> {
     let mut mesh = Mesh { unit: LengthUnit::METRE, ..Mesh::new("") };
     let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
@@ -109,7 +116,7 @@ pub(super) fn look(
         mesh.materials[0].base_color = Vec4::ONE;
     }
     let coordinate_sets = materials::read(document, buffers, folder, limits, &mut mesh)?;
-    mesh.notes.extend(not_shown::parts(document, is_played, bent_skins).note());
+    mesh.notes.extend(not_shown::parts(document, is_played).note());
     if mesh.materials.len() > 65_535 {
         let what = format!("materials: {} is more than the fixed limit of 65535", mesh.materials.len());
         return Err(Fault::unsupported(what));
@@ -141,11 +148,28 @@ pub(super) fn cameras_at(cameras: &[PlacedCamera], offset: DVec3) -> impl Iterat
     })
 }
 
+/// A primitive as a node has it.
+#[derive(Clone, Copy)]
+pub(super) struct Worn<'a> {
+    pub primitive: &'a Primitive,
+    /// The node, by its index in the document.
+    pub node: usize,
+    /// Of its morph targets, without an animation.
+    pub weights: &'a [f32],
+}
+
+impl<'a> Worn<'a> {
+    /// What shapes it where no joints do.
+    pub fn form(&self) -> Form<'a> {
+        Form { weights: self.weights, pose: None }
+    }
+}
+
 /// What is found in a scene beside the primitives that nodes place.
 pub(super) struct Found<'a> {
     pub cameras: Vec<PlacedCamera<'a>>,
     /// Primitives that the joints of a skin place, with its number.
-    pub skinned: Vec<(&'a Primitive, usize)>,
+    pub skinned: Vec<(Worn<'a>, usize)>,
 }
 
 /// Calls `each` with the primitives of all nodes of the scene in turn and where they are, without those that joints place.
@@ -153,7 +177,7 @@ pub(super) fn visit<'a>(
     document: &'a Document,
     limits: &Limits,
     movers: &mut Movers,
-    each: &mut dyn FnMut(&'a Primitive, &Place) -> Result<(), Fault>,
+    each: &mut dyn FnMut(Worn<'a>, &Place) -> Result<(), Fault>,
 ) -> Result<Found<'a>, Fault> {
     let mut visited = vec![false; document.nodes.len()];
     let root = Place { world: DAffine3::IDENTITY, carried: None };
@@ -169,16 +193,17 @@ pub(super) fn visit<'a>(
             return Err(Fault::limit("depth of nodes", depth.into(), limits.depth.into()));
         }
         let local = local(node);
-        let carried = movers.enter(index, &node.name, &outer, &local);
+        let [of_mesh, carried] = movers.enter(index, &node.name, &outer, &local);
         let place = Place { world: outer.world * local, carried };
         if let Some(mesh) = node.mesh {
             let gltf_mesh = document.meshes.get(mesh);
             let gltf_mesh = gltf_mesh.ok_or_else(|| Fault::malformed(format!("mesh {mesh} is missing")))?;
             for primitive in &gltf_mesh.primitives {
+                let worn = Worn { primitive, node: index, weights: morphs::weights(node, gltf_mesh) };
                 // A skin places vertices wherever the node is; those that name no joint have nothing else than the node.
-                match node.skin.filter(|_| primitive.attributes.contains_key("JOINTS_0")) {
-                    Some(skin) => found.skinned.push((primitive, skin)),
-                    None => each(primitive, &place)?,
+                match node.skin.filter(|_| is_bound(primitive)) {
+                    Some(skin) => found.skinned.push((worn, skin)),
+                    None => each(worn, &Place { carried: of_mesh, ..place })?,
                 }
             }
         }

@@ -1,12 +1,13 @@
 //! Skins: meshes whose vertices follow the joints of a skeleton, each by shares (glTF 2.0, section 3.7.3.1). The joints are nodes, and stand where their
-//! transforms put them, without an animation; the node that has the mesh does not move it.
+//! transforms put them, without an animation or at a time; the node that has the mesh does not move it. A primitive without joints, or without shares in
+//! them, has nothing but its node.
 
 use super::Fault;
 use super::accessor::{Accessors, is_whole};
 use super::document::{Document, Primitive};
 use super::moving::{Carried, Movers};
 use super::primitives::{Source, check_count};
-use super::scene::local;
+use super::scene::{Worn, local};
 use glam::{DAffine3, DMat4, DVec3};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -82,29 +83,27 @@ impl Skins {
         above.take(self.most + 1)
     }
 
-    /// How many change their shape while things move: each is seen as it is at rest.
-    pub fn bent(&self) -> u64 {
-        self.carriers.iter().filter(|carriers| carriers.is_bent).count() as u64
-    }
-
     /// Primitives that joints place, with the pose of these, and what carries all of them where it was met.
     pub fn posed<'a>(
         &self,
-        skinned: &[(&'a Primitive, usize)],
+        skinned: &[(Worn<'a>, usize)],
         accessors: &Accessors,
         movers: &Movers,
     ) -> Result<Vec<Posed<'a>>, Fault> {
         let mut known: HashMap<usize, Rc<Pose>> = HashMap::new();
         let mut posed = Vec::with_capacity(skinned.len());
-        for &(primitive, skin) in skinned {
-            let common = self.carriers.get(skin).and_then(|carriers| carriers.common);
+        for &(worn, skin) in skinned {
+            let carriers = self.carriers.get(skin);
+            let common = carriers.and_then(|carriers| carriers.common);
             let carried = common.and_then(|node| movers.carrier(node));
+            // What moves all joints outside of the scene carries nothing.
+            let bends = carriers.is_some_and(|carriers| carriers.is_bent) || (common.is_some() && carried.is_none());
             let pose = match known.get(&skin) {
                 Some(pose) => Rc::clone(pose),
                 None => Rc::new(self.pose(skin, common.filter(|_| carried.is_some()), accessors)?),
             };
             known.insert(skin, Rc::clone(&pose));
-            posed.push((primitive, carried, pose));
+            posed.push(Posed { worn, carried, pose, bends });
         }
         Ok(posed)
     }
@@ -120,38 +119,71 @@ impl Skins {
         if let Some(joint) = joints.iter().find(|&&joint| self.upwards(joint).count() > self.most) {
             return Err(fault(format!("has node {joint} for a joint, which has more than {} above it", self.most - 1)));
         }
-        let map = |&joint: &usize| {
-            let nodes = self.upwards(joint).take_while(|&node| Some(node) != carrier);
-            nodes.fold(DAffine3::IDENTITY, |below, node| local(&document.nodes[node]) * below)
+        let inverse = match document.skins[skin].inverse_bind_matrices {
+            Some(inverse) => accessors.matrices(inverse, joints.len())?,
+            None => vec![DMat4::IDENTITY.as_mat4().to_cols_array(); joints.len()],
         };
-        let mut maps: Vec<DAffine3> = joints.iter().map(map).collect();
-        if let Some(inverse) = document.skins[skin].inverse_bind_matrices {
-            let inverse = accessors.matrices(inverse, joints.len())?;
-            if inverse.len() < joints.len() {
-                return Err(fault(format!("has {} inverse bind matrices for {} joints", inverse.len(), joints.len())));
-            }
-            for (map, inverse) in maps.iter_mut().zip(inverse) {
-                *map *= DAffine3::from_mat4(DMat4::from_cols_array(&inverse.map(f64::from)));
-            }
+        if inverse.len() < joints.len() {
+            return Err(fault(format!("has {} inverse bind matrices for {} joints", inverse.len(), joints.len())));
         }
-        if !maps.iter().all(DAffine3::is_finite) {
+        let inverse = inverse.into_iter().map(|own| DAffine3::from_mat4(DMat4::from_cols_array(&own.map(f64::from))));
+        let mut pose = Pose { skin, carrier, joints: Vec::new(), inverse: inverse.collect() };
+        pose.joints = self.joints(&pose, document, &|node| local(&document.nodes[node]));
+        if !pose.joints.iter().all(DAffine3::is_finite) {
             return Err(fault("has joints or matrices that are not finite".into()));
         }
-        Ok(Pose { skin, joints: maps })
+        Ok(pose)
+    }
+
+    /// The joints of a pose as [`Pose::joints`] has them, with other places of nodes in those above them.
+    pub fn joints(&self, pose: &Pose, document: &Document, local: &dyn Fn(usize) -> DAffine3) -> Vec<DAffine3> {
+        let map = |(&joint, inverse): (&usize, &DAffine3)| {
+            let nodes = self.upwards(joint).take_while(|&node| Some(node) != pose.carrier);
+            nodes.fold(DAffine3::IDENTITY, |below, node| local(node) * below) * *inverse
+        };
+        document.skins[pose.skin].joints.iter().zip(&pose.inverse).map(map).collect()
     }
 }
 
-/// A primitive, what carries it, and the pose of its joints.
-pub(super) type Posed<'a> = (&'a Primitive, Option<Carried>, Rc<Pose>);
+/// A primitive that joints place.
+pub(super) struct Posed<'a> {
+    pub worn: Worn<'a>,
+    /// The node that moves and carries all of the joints, where one does.
+    pub carried: Option<Carried>,
+    /// Where the joints are at rest.
+    pub pose: Rc<Pose>,
+    /// Whether they move each on its own.
+    pub bends: bool,
+}
 
 /// Where the joints of a skin are.
 pub(super) struct Pose {
     skin: usize,
+    /// The node that carries them, by its index in the document.
+    carrier: Option<usize>,
     /// For each joint the map from the space of the mesh to that of what carries it, or to the world.
     joints: Vec<DAffine3>,
+    /// For each joint the map from the space of the mesh to its own, as the mesh was bound.
+    inverse: Vec<DAffine3>,
+}
+
+/// Whether joints place a primitive.
+pub(super) fn is_bound(primitive: &Primitive) -> bool {
+    ["JOINTS_0", "WEIGHTS_0"].iter().all(|name| primitive.attributes.contains_key(*name))
+}
+
+/// Whether a primitive has joints without shares in them, or shares without joints.
+pub(super) fn lacks_half(primitive: &Primitive) -> bool {
+    let has = |name: &str| primitive.attributes.contains_key(name);
+    has("JOINTS_0") != has("WEIGHTS_0")
 }
 
 impl Pose {
+    /// For each joint the map from the space of the mesh to that of what carries it, or to the world, at rest.
+    pub fn joints(&self) -> &[DAffine3] {
+        &self.joints
+    }
+
     /// Whether most joints mirror what follows them.
     pub fn is_mirrored(&self) -> bool {
         let mirrored = self.joints.iter().filter(|joint| joint.matrix3.determinant() < 0.0).count();
@@ -159,22 +191,22 @@ impl Pose {
     }
 }
 
-/// Vertices that follow the joints of a pose.
-pub(super) struct Bound<'a> {
-    pose: &'a Pose,
+/// Vertices that follow joints.
+#[derive(Debug)]
+pub(super) struct Bound {
     /// Four joints of each vertex and their shares, for each set of attributes.
     sets: Vec<[Vec<[f32; 4]>; 2]>,
 }
 
-impl<'a> Bound<'a> {
-    /// What the attributes of a primitive say.
-    pub fn read(pose: &'a Pose, primitive: &Primitive, source: &Source) -> Result<Self, Fault> {
+impl Bound {
+    /// What the attributes of a primitive say about the joints of a pose. A set without joints or without shares, and those after it, are left out.
+    pub fn read(pose: &Pose, primitive: &Primitive, source: &Source) -> Result<Self, Fault> {
         let attribute = |name: &str| primitive.attributes.get(name).copied();
         let mut sets = Vec::new();
         for set in 0.. {
             let (joints, weights) = (format!("JOINTS_{set}"), format!("WEIGHTS_{set}"));
             match (attribute(&joints), attribute(&weights)) {
-                (None, None) => break,
+                (None, _) | (_, None) => break,
                 (Some(at_joints), Some(at_weights)) => {
                     let accessor = source.accessors.of_kinds(at_joints, &["VEC4"])?;
                     if !is_whole(accessor.component_type) || accessor.normalized {
@@ -188,35 +220,20 @@ impl<'a> Bound<'a> {
                     let (own_joints, own_weights) = (read(&joints, at_joints)?, read(&weights, at_weights)?);
                     check_count(own_weights.len(), own_joints.len())?;
                     sets.push([own_joints, own_weights]);
+                    // A small file may name one array many times.
+                    let (all, limit) = (accessor.count as u64 * sets.len() as u64, source.accessors.limits.points);
+                    if all > limit {
+                        return Err(Fault::limit("joints of vertices", all, limit));
+                    }
                 }
-                (Some(_), None) => return Err(Fault::malformed(format!("{joints} without {weights}"))),
-                (None, Some(_)) => return Err(Fault::malformed(format!("{weights} without {joints}"))),
             }
         }
-        let bound = Self { pose, sets };
+        let bound = Self { sets };
         for [joints, weights] in &bound.sets {
             check_count(joints.len(), bound.count())?;
-            bound.check(joints.as_flattened(), weights.as_flattened())?;
+            check(pose, joints.as_flattened(), weights.as_flattened())?;
         }
         Ok(bound)
-    }
-
-    fn check(&self, joints: &[f32], weights: &[f32]) -> Result<(), Fault> {
-        let (count, skin) = (self.pose.joints.len(), self.pose.skin);
-        if count == 0 {
-            return Err(Fault::malformed(format!("skin {skin} has no joints")));
-        }
-        if weights.iter().any(|weight| !weight.is_finite()) {
-            return Err(Fault::malformed("a vertex whose share in a joint is not finite"));
-        }
-        // A joint without a share may have any number.
-        let is_wrong = |&(joint, weight): &(&f32, &f32)| *weight > 0.0 && *joint as usize >= count;
-        match joints.iter().zip(weights).find(is_wrong) {
-            Some((joint, _)) => {
-                Err(Fault::malformed(format!("a vertex names joint {joint} of {count} of skin {skin}")))
-            }
-            None => Ok(()),
-        }
     }
 
     /// How many vertices there are.
@@ -224,14 +241,18 @@ impl<'a> Bound<'a> {
         self.sets.first().map_or(0, |[joints, _]| joints.len())
     }
 
-    /// A vertex in the space of the pose.
-    pub fn placed(&self, vertex: usize, [x, y, z, _]: [f32; 4]) -> DVec3 {
-        let point = DVec3::new(x.into(), y.into(), z.into());
+    /// How many vertices all sets have together.
+    pub fn size(&self) -> usize {
+        self.sets.len() * self.count()
+    }
+
+    /// A vertex in the space of the joints.
+    pub fn placed(&self, vertex: usize, point: DVec3, places: &[DAffine3]) -> DVec3 {
         let (mut sum, mut whole) = (DVec3::ZERO, 0.0);
         for [joints, weights] in &self.sets {
             let (Some(joints), Some(weights)) = (joints.get(vertex), weights.get(vertex)) else { continue };
             for (&joint, &weight) in joints.iter().zip(weights).filter(|&(_, &weight)| weight > 0.0) {
-                sum += f64::from(weight) * self.pose.joints[joint as usize].transform_point3(point);
+                sum += f64::from(weight) * places[joint as usize].transform_point3(point);
                 whole += f64::from(weight);
             }
         }
@@ -241,6 +262,23 @@ impl<'a> Bound<'a> {
         }
         // Nobody has a share: the first joint that is named has all, as other readers have it.
         let first = self.sets.first().and_then(|[joints, _]| joints.get(vertex)).map_or(0, |joints| joints[0] as usize);
-        self.pose.joints[first.min(self.pose.joints.len() - 1)].transform_point3(point)
+        places[first.min(places.len() - 1)].transform_point3(point)
+    }
+}
+
+/// Whether joints and shares of vertices are sound.
+fn check(pose: &Pose, joints: &[f32], weights: &[f32]) -> Result<(), Fault> {
+    let (count, skin) = (pose.joints.len(), pose.skin);
+    if count == 0 {
+        return Err(Fault::malformed(format!("skin {skin} has no joints")));
+    }
+    if weights.iter().any(|weight| !weight.is_finite()) {
+        return Err(Fault::malformed("a vertex whose share in a joint is not finite"));
+    }
+    // A joint without a share may have any number.
+    let is_wrong = |&(joint, weight): &(&f32, &f32)| *weight > 0.0 && *joint as usize >= count;
+    match joints.iter().zip(weights).find(is_wrong) {
+        Some((joint, _)) => Err(Fault::malformed(format!("a vertex names joint {joint} of {count} of skin {skin}"))),
+        None => Ok(()),
     }
 }

@@ -27,7 +27,8 @@ pub(crate) const READER: Reader =
         Ok(read(input, &options.limits)?.into())
     })
     .with_magic(&[Magic::first(MAGIC)])
-    .with_up_axis(Some(UpAxis::Y));
+    .with_up_axis(Some(UpAxis::Y))
+    .with_several(&[]);
 
 /// First bytes of a file.
 const MAGIC: &[u8] = b" BDV\0\0\0\0";
