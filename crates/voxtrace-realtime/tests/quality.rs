@@ -133,11 +133,11 @@ fn lamps_that_are_dimmed_leave_no_ghost() {
             real_time.change();
         }
         let pictures: Vec<_> = (0..4).map(|_| real_time.frame(&dimmed, &frame)).collect();
-        energy(&pictures[3]) / truth
+        [0, 3].map(|number: usize| energy(&pictures[number]) / truth)
     };
-    let ratio = after(true);
-    assert!(ratio < 1.5, "{ratio}");
-    assert!(after(false) > 2.0, "who does not say that light changed sees its ghost");
+    let ratios = after(true);
+    assert!(ratios.iter().all(|ratio| (0.8..1.25).contains(ratio)), "{ratios:?}");
+    assert!(after(false).iter().all(|&ratio| ratio > 2.0), "who does not say that light changed sees its ghost");
 }
 
 #[test]

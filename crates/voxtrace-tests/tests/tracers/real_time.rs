@@ -362,6 +362,26 @@ fn edit(both: &mut Both, dynamic: &mut DynamicScene) {
     both.cpu.change();
 }
 
+/// Lamps and sky give a tenth of their light.
+fn dim(both: &mut Both) {
+    let mut scene = (*both.scene).clone();
+    scene.light_intensity *= 0.1;
+    scene.sky = scene.sky.with_brightness(0.1);
+    both.scene = Arc::new(scene);
+    both.gpu.set_scene(&both.scene).unwrap();
+    both.cpu.change();
+}
+
+#[test]
+fn pictures_of_real_time_light_are_those_of_the_processor_after_lamps_were_dimmed() {
+    let Some(device) = device() else { return };
+    let mut both = Both::new(&device, &packed(true, true), Parts::ALL);
+    compare(&mut both, "before", 6, |_| view());
+    dim(&mut both);
+    compare(&mut both, "after lamps were dimmed", 3, |_| view());
+    assert_valid(&device);
+}
+
 #[test]
 fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_instances_move() {
     let Some(device) = device() else { return };
