@@ -77,7 +77,8 @@ pub fn voxelize_with_progress(
     limits: &Limits,
     progress: &VoxelizeProgress,
 ) -> Result<Scene, VoxelizeError> {
-    if let Some(moving) = &mesh.moving {
+    // Pages ask for no parts that move: what voxelizes them is not part of their module.
+    if let Some(moving) = mesh.moving.as_ref().filter(|_| cfg!(not(target_arch = "wasm32"))) {
         return moving::voxelize(mesh, moving, options, limits, progress);
     }
     let mut spill = SpillBuffer::in_memory();

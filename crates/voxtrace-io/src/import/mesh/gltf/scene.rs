@@ -19,6 +19,9 @@ use voxtrace_voxelize::Limits;
 use voxtrace_voxelize::mesh::Mesh;
 use voxtrace_voxelize::points::PointCloud;
 
+/// Whether this is the module of a page.
+const IS_OF_PAGES: bool = cfg!(target_arch = "wasm32");
+
 /// Reads the default scene, or the first one, or what no other node holds.
 pub(super) fn read(
     document: &Document,
@@ -28,7 +31,8 @@ pub(super) fn read(
 ) -> Result<Geometry, Fault> {
     let limits = &options.limits;
     let accessors = Accessors { document, buffers, limits };
-    let played = animations::chosen(document, &options.animation);
+    // Pages show stills: what plays is not part of their module.
+    let played = if IS_OF_PAGES { None } else { animations::chosen(document, &options.animation) };
     let mut movers = played.map(|clip| Movers::of(clip, &accessors)).transpose()?.unwrap_or_default();
     let skins = Skins::of(document, limits, &movers);
     let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, played.is_some())?;
