@@ -45,7 +45,7 @@ mod views;
 mod volume;
 mod words;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use failure::Failure;
 use report::{ProgressStyleArg, Report};
 use std::io::Write;
@@ -120,12 +120,20 @@ fn main() -> ExitCode {
     }
 }
 
+/// A command and those under it, whose options take what looks like a number below 0 as their value, so that they say themselves what is wrong with it.
+fn numbers_below_zero(command: clap::Command) -> clap::Command {
+    command.allow_negative_numbers(true).mut_subcommands(numbers_below_zero)
+}
+
 /// The arguments, or `None` where they asked for help or the version, which is printed.
 fn parse_arguments() -> Result<Option<Cli>, Failure> {
     use clap::error::ErrorKind::{
         DisplayHelp, DisplayHelpOnMissingArgumentOrSubcommand, DisplayVersion, MissingSubcommand,
     };
-    match Cli::try_parse() {
+    let mut command = numbers_below_zero(Cli::command());
+    let parsed = command.try_get_matches_from_mut(std::env::args_os());
+    let parsed = parsed.and_then(|matches| Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command)));
+    match parsed {
         Ok(cli) => Ok(Some(cli)),
         Err(error) if matches!(error.kind(), DisplayHelp | DisplayVersion) => {
             stdout::keep(error.print().and_then(|()| std::io::stdout().flush()));

@@ -172,6 +172,8 @@ impl Length {
 pub fn length(text: &str) -> Result<Length, String> {
     let text = text.trim();
     let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '-');
+    // No unit, but `nan` or a word.
+    let digits = if digits.is_empty() { text } else { digits };
     let unit = match &text[digits.len()..] {
         "" => None,
         symbol => Some(unit(symbol)?),

@@ -52,6 +52,9 @@ pub fn can_be_lifted(what: &str) -> bool {
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
+    if path.as_os_str().is_empty() {
+        return Failure::input("a scene's name is empty").hint("name a file, or one of the built-in scenes");
+    }
     let failure = Failure::input(format!("cannot read {}: {}", path.display(), reason(error)));
     if error.kind() == std::io::ErrorKind::NotFound && path.exists() {
         return failure.hint("a file that it names is looked for in its folder");

@@ -26,7 +26,7 @@ pub enum CompareErrorKind {
     Json(serde_json::Error),
     /// It has a schema of another version, this one.
     Schema(u64),
-    /// It is JSON of something else.
+    /// It is something else.
     NoReport,
 }
 

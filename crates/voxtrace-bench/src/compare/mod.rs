@@ -22,8 +22,11 @@ const SETTINGS: [&str; 5] = ["width", "height", "max_bounces", "integrator", "se
 pub(crate) fn read(path: &Path) -> Result<Value, CompareError> {
     let file = if path.is_dir() { path.join("results.json") } else { path.to_owned() };
     let parse = || {
-        let text = std::fs::read_to_string(&file).map_err(CompareErrorKind::Io)?;
-        let json: Value = serde_json::from_str(&text).map_err(CompareErrorKind::Json)?;
+        let bytes = std::fs::read(&file).map_err(CompareErrorKind::Io)?;
+        if bytes.trim_ascii_start().first() != Some(&b'{') {
+            return Err(CompareErrorKind::NoReport);
+        }
+        let json: Value = serde_json::from_slice(&bytes).map_err(CompareErrorKind::Json)?;
         match json["schema"].as_u64() {
             Some(SCHEMA) => Ok(json),
             Some(other) => Err(CompareErrorKind::Schema(other)),

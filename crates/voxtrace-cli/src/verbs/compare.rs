@@ -187,7 +187,9 @@ impl From<CompareError> for Failure {
     fn from(error: CompareError) -> Self {
         let failure = Self::input(&error);
         match error.kind {
-            CompareErrorKind::Io(_) => failure.hint("name the folder of a report of `voxtrace bench`, or a picture"),
+            CompareErrorKind::Io(_) | CompareErrorKind::NoReport => {
+                failure.hint("name the folder of a report of `voxtrace bench`, or a picture")
+            }
             CompareErrorKind::Schema(_) => failure.hint("run the benchmark again"),
             _ => failure,
         }

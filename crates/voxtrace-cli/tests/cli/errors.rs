@@ -6,7 +6,7 @@ use voxtrace_test_support::{data, files_below};
 #[test]
 fn wrong_arguments_are_explained_in_one_line_with_code_2() {
     let folder = Folder::new();
-    let cases: [(&[&str], &str); 70] = [
+    let cases: [(&[&str], &str); 74] = [
         (&[], "a verb is missing"),
         (&["paint"], "unrecognized subcommand 'paint'"),
         (&["render"], "<SCENE>"),
@@ -79,6 +79,10 @@ fn wrong_arguments_are_explained_in_one_line_with_code_2() {
         (&["merge", "a.vxf", "-o", "a.png", "-o", "./a.png"], "./a.png is written twice; hint: name each output once"),
         (&["animate", "room.vox", "--turntable=2", "-o", "a.gif", "-o", "./a.gif"], "./a.gif is written twice"),
         (&["info", "room.vox", "--voxel-size", "0"], "0 is no length above 0"),
+        (&["info", "room.vox", "--voxel-size", "nan"], "nan is no length above 0"),
+        (&["info", "room.vox", "--voxel-size", "cm"], "a length like 0.02, 2cm or 2ft"),
+        (&["render", "room.vox", "--spp", "-1"], "invalid value '-1' for '--spp"),
+        (&["animate", "room.vox", "--fps", "-1"], "invalid value '-1' for '--fps"),
         (&["info", "room.vox", "--spacing", "1e10"], "not from 1e-9 to 1e9"),
     ];
     for (arguments, expected) in cases {
@@ -100,7 +104,9 @@ fn input_that_is_missing_or_not_a_scene_has_code_3() {
     let last = flipped.len() - 1;
     flipped[last] ^= 1;
     std::fs::write(folder.path("flipped.vxt"), flipped).unwrap();
-    let cases: [(&[&str], &str); 10] = [
+    let cases: [(&[&str], &str); 12] = [
+        (&["compare", "room.vox", "cut.vox"], "no report of `voxtrace bench`"),
+        (&["info", ""], "name is empty"),
         (&["render", "none.vox"], "cannot read none.vox"),
         (&["render", "cathedral"], "one of the built-in"),
         (&["info", "none.vxt"], "cannot read none.vxt"),
