@@ -6236,27 +6236,6 @@ fn camera_before_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, real_time_0.before_eye_0, real_time_0.before_corner_0, real_time_0.before_pixel_x_0, real_time_0.before_pixel_y_0, real_time_0.before_lens_x_0, real_time_0.before_lens_y_0, real_time_0.before_blades_0);
 }
 
-fn Item_asks_cache_0( this_54 : Item_0) -> bool
-{
-    var _S426 : bool;
-    if(Item_is_cell_0(this_54))
-    {
-        _S426 = true;
-    }
-    else
-    {
-        if((this_54.kind_2) == u32(1))
-        {
-            _S426 = has_0(u32(1));
-        }
-        else
-        {
-            _S426 = false;
-        }
-    }
-    return _S426;
-}
-
 struct Perspective_0
 {
      eye_4 : vec3<f32>,
@@ -6267,12 +6246,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S427 : Perspective_0;
-    _S427.eye_4 = eye_5;
-    _S427.corner_4 = corner_5;
-    _S427.pixel_x_3 = pixel_x_4;
-    _S427.pixel_y_3 = pixel_y_4;
-    return _S427;
+    var _S426 : Perspective_0;
+    _S426.eye_4 = eye_5;
+    _S426.corner_4 = corner_5;
+    _S426.pixel_x_3 = pixel_x_4;
+    _S426.pixel_y_3 = pixel_y_4;
+    return _S426;
 }
 
 struct Axes_0
@@ -6284,11 +6263,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S428 : Axes_0;
-    _S428.forward_0 = forward_1;
-    _S428.right_3 = right_4;
-    _S428.up_0 = up_1;
-    return _S428;
+    var _S427 : Axes_0;
+    _S427.forward_0 = forward_1;
+    _S427.right_3 = right_4;
+    _S427.up_0 = up_1;
+    return _S427;
 }
 
 struct ThinLens_0
@@ -6301,28 +6280,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S429 : ThinLens_0;
-    _S429.perspective_0 = perspective_1;
-    _S429.lens_x_3 = lens_x_4;
-    _S429.lens_y_3 = lens_y_4;
-    _S429.blades_3 = blades_4;
-    return _S429;
+    var _S428 : ThinLens_0;
+    _S428.perspective_0 = perspective_1;
+    _S428.lens_x_3 = lens_x_4;
+    _S428.lens_y_3 = lens_y_4;
+    _S428.blades_3 = blades_4;
+    return _S428;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_7 : f32 = 2.0f * square_5.x - 1.0f;
     var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S430 : bool;
+    var _S429 : bool;
     if(a_7 == 0.0f)
     {
-        _S430 = b_7 == 0.0f;
+        _S429 = b_7 == 0.0f;
     }
     else
     {
-        _S430 = false;
+        _S429 = false;
     }
-    if(_S430)
+    if(_S429)
     {
         return vec2<f32>(0.0f);
     }
@@ -6349,7 +6328,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S431 : f32 = abs(radius_4);
+    var _S430 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6358,7 +6337,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S431, radius_4);
+    return vec2<f32>(_S430, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6376,16 +6355,16 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_7 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S432 : f32 = from_0.y;
-    var _S433 : f32 = from_0.x;
-    return vec2<f32>(_S432 + (to_0.y - _S432) * share_7, _S433 + (to_0.x - _S433) * share_7) * vec2<f32>(radius_5);
+    var _S431 : f32 = from_0.y;
+    var _S432 : f32 = from_0.x;
+    return vec2<f32>(_S431 + (to_0.y - _S431) * share_7, _S432 + (to_0.x - _S432) * share_7) * vec2<f32>(radius_5);
 }
 
-fn ThinLens_ray_0( this_55 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
+fn ThinLens_ray_0( this_54 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
 {
-    var place_9 : vec2<f32> = place_in_aperture_0(this_55.blades_3, lens_4);
-    var offset_1 : vec3<f32> = this_55.lens_x_3 * vec3<f32>(place_9.x) + this_55.lens_y_3 * vec3<f32>(place_9.y);
-    return ray_from_0(this_55.perspective_0.eye_4 + offset_1, normalize_vector_0(this_55.perspective_0.corner_4 + this_55.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_55.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
+    var place_9 : vec2<f32> = place_in_aperture_0(this_54.blades_3, lens_4);
+    var offset_1 : vec3<f32> = this_54.lens_x_3 * vec3<f32>(place_9.x) + this_54.lens_y_3 * vec3<f32>(place_9.y);
+    return ray_from_0(this_54.perspective_0.eye_4 + offset_1, normalize_vector_0(this_54.perspective_0.corner_4 + this_54.perspective_0.pixel_x_3 * vec3<f32>(position_3.x) + this_54.perspective_0.pixel_y_3 * vec3<f32>(position_3.y) - offset_1));
 }
 
 struct Orthographic_0
@@ -6398,17 +6377,17 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S434 : Orthographic_0;
-    _S434.corner_6 = corner_7;
-    _S434.pixel_x_5 = pixel_x_6;
-    _S434.pixel_y_5 = pixel_y_6;
-    _S434.forward_2 = forward_3;
-    return _S434;
+    var _S433 : Orthographic_0;
+    _S433.corner_6 = corner_7;
+    _S433.pixel_x_5 = pixel_x_6;
+    _S433.pixel_y_5 = pixel_y_6;
+    _S433.forward_2 = forward_3;
+    return _S433;
 }
 
-fn Orthographic_ray_0( this_56 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
+fn Orthographic_ray_0( this_55 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_56.corner_6 + this_56.pixel_x_5 * vec3<f32>(position_4.x) + this_56.pixel_y_5 * vec3<f32>(position_4.y), this_56.forward_2);
+    return ray_from_0(this_55.corner_6 + this_55.pixel_x_5 * vec3<f32>(position_4.x) + this_55.pixel_y_5 * vec3<f32>(position_4.y), this_55.forward_2);
 }
 
 struct Panorama_0
@@ -6421,26 +6400,26 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S435 : Panorama_0;
-    _S435.eye_6 = eye_7;
-    _S435.axes_1 = axes_2;
-    _S435.inverse_size_0 = inverse_size_1;
-    _S435.half_eye_distance_0 = half_eye_distance_1;
-    return _S435;
+    var _S434 : Panorama_0;
+    _S434.eye_6 = eye_7;
+    _S434.axes_1 = axes_2;
+    _S434.inverse_size_0 = inverse_size_1;
+    _S434.half_eye_distance_0 = half_eye_distance_1;
+    return _S434;
 }
 
-fn Panorama_ray_0( this_57 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
+fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
 {
-    var latitude_0 : f32 = position_5.y * this_57.inverse_size_0.y;
+    var latitude_0 : f32 = position_5.y * this_56.inverse_size_0.y;
     var is_right_eye_0 : bool = latitude_0 >= 1.0f;
     var side_4 : f32;
     if(is_right_eye_0)
     {
-        side_4 = this_57.half_eye_distance_0;
+        side_4 = this_56.half_eye_distance_0;
     }
     else
     {
-        side_4 = - this_57.half_eye_distance_0;
+        side_4 = - this_56.half_eye_distance_0;
     }
     var latitude_1 : f32;
     if(is_right_eye_0)
@@ -6451,11 +6430,11 @@ fn Panorama_ray_0( this_57 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     {
         latitude_1 = latitude_0;
     }
-    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_57.inverse_size_0.x);
+    var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_56.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S436 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S437 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_57.eye_6 + (this_57.axes_1.forward_0 * _S437 - this_57.axes_1.right_3 * _S436) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_57.axes_1.forward_0 * _S436 + this_57.axes_1.right_3 * _S437) * vec3<f32>(height_2.x) + this_57.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S435 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S436 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S436 - this_56.axes_1.right_3 * _S435) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S435 + this_56.axes_1.right_3 * _S436) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6468,20 +6447,20 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S438 : Fisheye_0;
-    _S438.eye_8 = eye_9;
-    _S438.axes_3 = axes_4;
-    _S438.middle_1 = middle_2;
-    _S438.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S438;
+    var _S437 : Fisheye_0;
+    _S437.eye_8 = eye_9;
+    _S437.axes_3 = axes_4;
+    _S437.middle_1 = middle_2;
+    _S437.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S437;
 }
 
-fn Fisheye_ray_0( this_58 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
+fn Fisheye_ray_0( this_57 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_12 : f32 = position_6.x - this_58.middle_1.x;
-    var y_7 : f32 = position_6.y - this_58.middle_1.y;
+    var x_12 : f32 = position_6.x - this_57.middle_1.x;
+    var y_7 : f32 = position_6.y - this_57.middle_1.y;
     var radius_6 : f32 = square_root_0(x_12 * x_12 + y_7 * y_7);
-    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_58.turns_per_pixel_0, 1.0f));
+    var sin_cos_4 : vec2<f32> = sincos_turns_0(min(radius_6 * this_57.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
     if(radius_6 > 0.0f)
     {
@@ -6491,35 +6470,35 @@ fn Fisheye_ray_0( this_58 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_58.eye_8, normalize_vector_0(this_58.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_58.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_58.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
+    return ray_from_0(this_57.eye_8, normalize_vector_0(this_57.axes_3.forward_0 * vec3<f32>(sin_cos_4.y) + this_57.axes_3.right_3 * vec3<f32>((x_12 * scale_0)) - this_57.axes_3.up_0 * vec3<f32>((y_7 * scale_0))));
 }
 
-fn Perspective_ray_0( this_59 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
+fn Perspective_ray_0( this_58 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
 {
-    return ray_from_0(this_59.eye_4, normalize_vector_0(this_59.corner_4 + this_59.pixel_x_3 * vec3<f32>(position_7.x) + this_59.pixel_y_3 * vec3<f32>(position_7.y)));
+    return ray_from_0(this_58.eye_4, normalize_vector_0(this_58.corner_4 + this_58.pixel_x_3 * vec3<f32>(position_7.x) + this_58.pixel_y_3 * vec3<f32>(position_7.y)));
 }
 
-fn CameraFrame_ray_0( this_60 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
+fn CameraFrame_ray_0( this_59 : CameraFrame_0,  position_8 : vec2<f32>,  lens_sample_0 : vec2<f32>) -> Ray_0
 {
-    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_60.eye_2, this_60.corner_2, this_60.pixel_x_1, this_60.pixel_y_1);
-    var axes_5 : Axes_0 = Axes_x24init_0(this_60.corner_2, this_60.pixel_x_1, this_60.pixel_y_1);
-    switch(this_60.lens_1)
+    var perspective_2 : Perspective_0 = Perspective_x24init_0(this_59.eye_2, this_59.corner_2, this_59.pixel_x_1, this_59.pixel_y_1);
+    var axes_5 : Axes_0 = Axes_x24init_0(this_59.corner_2, this_59.pixel_x_1, this_59.pixel_y_1);
+    switch(this_59.lens_1)
     {
     case u32(1):
         {
-            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_60.lens_x_1, this_60.lens_y_1, this_60.blades_1), position_8, lens_sample_0);
+            return ThinLens_ray_0(ThinLens_x24init_0(perspective_2, this_59.lens_x_1, this_59.lens_y_1, this_59.blades_1), position_8, lens_sample_0);
         }
     case u32(2):
         {
-            return Orthographic_ray_0(Orthographic_x24init_0(this_60.corner_2, this_60.pixel_x_1, this_60.pixel_y_1, this_60.lens_x_1), position_8, lens_sample_0);
+            return Orthographic_ray_0(Orthographic_x24init_0(this_59.corner_2, this_59.pixel_x_1, this_59.pixel_y_1, this_59.lens_x_1), position_8, lens_sample_0);
         }
     case u32(3):
         {
-            return Panorama_ray_0(Panorama_x24init_0(this_60.eye_2, axes_5, this_60.lens_x_1.xy, this_60.lens_x_1.z), position_8, lens_sample_0);
+            return Panorama_ray_0(Panorama_x24init_0(this_59.eye_2, axes_5, this_59.lens_x_1.xy, this_59.lens_x_1.z), position_8, lens_sample_0);
         }
     case u32(4):
         {
-            return Fisheye_ray_0(Fisheye_x24init_0(this_60.eye_2, axes_5, this_60.lens_x_1.xy, this_60.lens_x_1.z), position_8, lens_sample_0);
+            return Fisheye_ray_0(Fisheye_x24init_0(this_59.eye_2, axes_5, this_59.lens_x_1.xy, this_59.lens_x_1.z), position_8, lens_sample_0);
         }
     default :
         {
@@ -6534,9 +6513,29 @@ fn camera_ray_2( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
     return CameraFrame_ray_0(camera_0, vec2<f32>(pixel_2) + jitter_0.xy, jitter_0.zw);
 }
 
-fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
+fn Item_asks_cache_0( this_60 : Item_0) -> bool
 {
-    var ray_26 : Ray_0 = camera_ray_2(pixel_3, camera_1, sampler_10);
+    var _S438 : bool;
+    if(Item_is_cell_0(this_60))
+    {
+        _S438 = true;
+    }
+    else
+    {
+        if((this_60.kind_2) == u32(1))
+        {
+            _S438 = has_0(u32(1));
+        }
+        else
+        {
+            _S438 = false;
+        }
+    }
+    return _S438;
+}
+
+fn at_camera_0( ray_26 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
+{
     var _S439 : vec3<f32> = vec3<f32>(0.0f);
     return Walker_x24init_0(path_from_0(sampler_10), ray_26, false, _S439, _S439, _S439, in_air_0(), u32(0), true, true, ray_26, 0.0f, false, asks_cache_2, u32(10), false);
 }
@@ -6556,16 +6555,16 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
         return _S440;
     }
     var _S441 : CameraFrame_0 = FrameParams_camera_0();
-    var camera_2 : CameraFrame_0;
+    var camera_1 : CameraFrame_0;
     if((this_61.kind_2) == u32(3))
     {
-        camera_2 = camera_before_0();
+        camera_1 = camera_before_0();
     }
     else
     {
-        camera_2 = _S441;
+        camera_1 = _S441;
     }
-    return at_camera_0(this_61.at_12, camera_2, this_61.sampler_3, Item_asks_cache_0(this_61));
+    return at_camera_0(camera_ray_2(this_61.at_12, camera_1, this_61.sampler_3), this_61.sampler_3, Item_asks_cache_0(this_61));
 }
 
 fn packed_normal_0( normal_10 : vec3<f32>) -> u32
@@ -6943,6 +6942,17 @@ fn Memory_add_0( this_67 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most
     return;
 }
 
+fn shifted_0( numbers_0 : vec4<f32>,  by_0 : u32) -> vec4<f32>
+{
+    return unit_float_0((((vec4<u32>(numbers_0 * vec4<f32>(1.6777216e+07f)) << (vec4<u32>(u32(8))))) ^ ((scrambled_sobol_0(by_0, u32(0), vec2<u32>(vec2<i32>(i32(0)))).xyyx))));
+}
+
+fn looking_ray_0( pixel_3 : vec2<u32>,  number_6 : u32) -> Ray_0
+{
+    var jitter_1 : vec4<f32> = shifted_0(PathTracingOf_jitter_0(Sampler_x24init_0(((params_0.seed_0) ^ (u32(2654435769))), index_of_0(pixel_3), real_time_0.number_0)), number_6);
+    return CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_3) + jitter_1.xy, jitter_1.zw);
+}
+
 fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 {
     return (any(((abs(a_10 - b_9)) > (max(a_10, b_9) * vec3<f32>(0.10000000149011612f) + vec3<f32>(0.00999999977648258f)))));
@@ -6979,7 +6989,7 @@ fn Lit_beyond_0( this_68 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_68, kept_1);
     var _S475 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_68.moments_0 / max(products_0, _S475) - vec3<f32>(1.0f), products_0 > _S475);
+    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S475), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S475);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7085,7 +7095,7 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             if(!is_under_way_1)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
-                look_0 = at_camera_0(at_19, FrameParams_camera_0(), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
+                look_0 = at_camera_0(looking_ray_0(at_19, looks_3), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
                 seen_1 = _S479;
                 looks_2 = looks_3;
             }

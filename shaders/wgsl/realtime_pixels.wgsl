@@ -1993,17 +1993,29 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  l
         }
         var _S163 : i32 = (place_6 & (i32(3)));
         var _S164 : i32 = (place_6 >> (u32(2)));
-        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + vec2<i32>(_S163, _S164) - vec2<i32>(i32(1)));
+        var step_3 : vec2<i32> = vec2<i32>(_S163, _S164);
+        var _S165 : f32 = _S160[_S163] * _S161[_S164];
+        if(_S165 == 0.0f)
+        {
+            place_6 = place_6 + i32(1);
+            continue;
+        }
+        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + step_3 - vec2<i32>(i32(1)));
         var is_whole_1 : bool = index_21 != (real_time_0.pixels_0);
+        var least_2 : f32;
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_3)), other_8, _S160[_S163] * _S161[_S164]);
-            least_1 = min(least_1, other_8.paths_1);
+            add_weighed_0(&((*lit_3)), other_8, _S165);
+            least_2 = min(least_1, other_8.paths_1);
         }
-        var _S165 : i32 = place_6 + i32(1);
+        else
+        {
+            least_2 = least_1;
+        }
         is_whole_0 = is_whole_1;
-        place_6 = _S165;
+        least_1 = least_2;
+        place_6 = place_6 + i32(1);
     }
     (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
     var _S166 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
@@ -2072,7 +2084,7 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f3
 
 fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
 {
-    var least_2 : f32 = (bitcast<f32>(infinity_bits_0));
+    var least_3 : f32 = (bitcast<f32>(infinity_bits_0));
     var best_0 : u32 = real_time_0.pixels_0;
     var place_8 : i32 = i32(0);
     for(;;)
@@ -2091,7 +2103,7 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var _S172 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S172 = distance_2 < (least_2 - 0.00100000004749745f);
+            _S172 = distance_2 < (least_3 - 0.00100000004749745f);
         }
         else
         {
@@ -2099,7 +2111,7 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         }
         if(_S172)
         {
-            least_2 = distance_2;
+            least_3 = distance_2;
             best_0 = index_23;
         }
         place_8 = place_8 + i32(1);
@@ -2119,23 +2131,29 @@ fn FrameParams_camera_0() -> CameraFrame_0
 fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
 {
     var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_2.is_shown_0, sample_2.place_1, sample_2.normal_1, 0.0f);
-    if(!sample_2.is_shown_0)
-    {
-        var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + vec2<f32>(0.5f), vec2<f32>(0.5f));
-        wanted_5.place_3 = ray_0.origin_0 + ray_0.direction_0 * vec3<f32>(1.0e+07f);
-    }
-    var distance_3 : f32 = sqrt(length_squared_0(sample_2.place_1 - real_time_0.eye_0));
-    var pixel_width_0 : f32 = real_time_0.view_angle_0 / f32(params_0.height_0);
-    var _S173 : f32;
+    var _S173 : vec2<f32> = vec2<f32>(0.5f);
+    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S173, vec2<f32>(0.5f));
+    var along_0 : f32;
     if(sample_2.is_shown_0)
     {
-        _S173 = pixel_width_0 * distance_3;
+        along_0 = dot_product_0(ray_0.direction_0, sample_2.place_1 - ray_0.origin_0) / length_squared_0(ray_0.direction_0);
     }
     else
     {
-        _S173 = 0.0f;
+        along_0 = 1.0e+07f;
     }
-    wanted_5.tolerance_0 = 1.5f + _S173;
+    var middle_2 : vec3<f32> = ray_0.origin_0 + ray_0.direction_0 * vec3<f32>(along_0);
+    var distance_3 : f32 = sqrt(length_squared_0(sample_2.place_1 - real_time_0.eye_0));
+    var pixel_width_0 : f32 = real_time_0.view_angle_0 / f32(params_0.height_0);
+    if(sample_2.is_shown_0)
+    {
+        along_0 = pixel_width_0 * distance_3;
+    }
+    else
+    {
+        along_0 = 0.0f;
+    }
+    wanted_5.tolerance_0 = 1.5f + along_0;
     var is_seen_0 : bool;
     if(sample_2.is_shown_0)
     {
@@ -2145,38 +2163,46 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     {
         is_seen_0 = false;
     }
+    var middle_3 : vec3<f32>;
     if(is_seen_0)
     {
         var row_12 : u32 = u32(3) * sample_2.instance_2;
         var place_9 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
+        var between_0 : vec4<f32> = vec4<f32>(middle_2, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_2.normal_1, 0.0f);
         var _S174 : u32 = row_12 + u32(1);
         var _S175 : u32 = row_12 + u32(2);
         wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_9), dot(motions_1[_S174], place_9), dot(motions_1[_S175], place_9));
+        var _S176 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S174], between_0), dot(motions_1[_S175], between_0));
         var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S174], normal_6), dot(motions_1[_S175], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
+        middle_3 = _S176;
     }
-    var way_1 : vec3<f32> = wanted_5.place_3 - real_time_0.before_origin_0;
-    var _S176 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    else
+    {
+        middle_3 = middle_2;
+    }
+    var way_1 : vec3<f32> = middle_3 - real_time_0.before_origin_0;
+    var _S177 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S177 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S178 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S176 > 9.99999997475242708e-07f;
+            is_seen_0 = _S177 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S177 / vec2<f32>(max(_S176, 9.99999997475242708e-07f));
+        at_19 = _S178 / vec2<f32>(max(_S177, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S177;
+        at_19 = _S178;
     }
     if(!is_seen_0)
     {
@@ -2190,29 +2216,32 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     {
         return not_lit_0();
     }
-    var _S178 : vec2<f32> = at_19 - vec2<f32>(0.5f);
-    var corner_9 : vec2<f32> = floor(_S178);
-    var share_5 : vec2<f32> = _S178 - corner_9;
-    var _S179 : vec2<i32> = vec2<i32>(corner_9);
+    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S173;
+    var at_20 : vec2<f32> = select(at_19, middle_of_pixel_0, (abs(at_19 - middle_of_pixel_0)) <= vec2<f32>(0.00100000004749745f));
+    var _S179 : vec2<f32> = at_20 - _S173;
+    var corner_9 : vec2<f32> = floor(_S179);
+    var share_5 : vec2<f32> = _S179 - corner_9;
+    var _S180 : vec2<i32> = vec2<i32>(corner_9);
     var lit_5 : Lit_0;
-    var _S180 : bool = cubic_0(wanted_5, _S179, share_5, &(lit_5));
-    if(_S180)
-    {
-        return lit_5;
-    }
-    var _S181 : bool = linear_mean_0(wanted_5, _S179, share_5, &(lit_5));
+    var _S181 : bool = cubic_0(wanted_5, _S180, share_5, &(lit_5));
     if(_S181)
     {
         return lit_5;
     }
-    return nearest_0(wanted_5, at_19);
+    var _S182 : bool = linear_mean_0(wanted_5, _S180, share_5, &(lit_5));
+    if(!_S182)
+    {
+        lit_5 = nearest_0(wanted_5, at_20);
+    }
+    lit_5.paths_1 = min(lit_5.paths_1, 8.0f);
+    return lit_5;
 }
 
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S182 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), this_9.moments_0 / max(products_0, _S182) - vec3<f32>(1.0f), products_0 > _S182);
+    var _S183 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S183), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S183);
 }
 
 fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
@@ -2236,11 +2265,11 @@ fn store_known_0( index_24 : u32,  lit_7 : Lit_0)
 @workgroup_size(64, 1, 1)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
-    var at_20 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S183 : vec2<i32> = vec2<i32>(at_20);
-    if(is_inside_0(_S183))
+    var at_21 : vec2<u32> = pixel_of_thread_0(id_4.x);
+    var _S184 : vec2<i32> = vec2<i32>(at_21);
+    if(is_inside_0(_S184))
     {
-        store_known_0(index_of_0(at_20), lit_before_0(sample_at_0(_S183), at_20));
+        store_known_0(index_of_0(at_21), lit_before_0(sample_at_0(_S184), at_21));
     }
     return;
 }
@@ -2259,22 +2288,22 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_9 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_11 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32) -> Memory_0
 {
-    var _S184 : Memory_0;
-    _S184.lit_8 = lit_9;
-    _S184.looks_0 = looks_1;
-    _S184.direct_2 = direct_3;
-    _S184.albedo_2 = albedo_3;
-    _S184.normal_7 = normal_8;
-    _S184.place_10 = place_11;
-    _S184.roughness_0 = roughness_1;
-    _S184.coverage_0 = coverage_1;
-    return _S184;
+    var _S185 : Memory_0;
+    _S185.lit_8 = lit_9;
+    _S185.looks_0 = looks_1;
+    _S185.direct_2 = direct_3;
+    _S185.albedo_2 = albedo_3;
+    _S185.normal_7 = normal_8;
+    _S185.place_10 = place_11;
+    _S185.roughness_0 = roughness_1;
+    _S185.coverage_0 = coverage_1;
+    return _S185;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S185 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S185, _S185, _S185, _S185, 0.0f, 0.0f);
+    var _S186 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S186, _S186, _S186, _S186, 0.0f, 0.0f);
 }
 
 fn load_memory_0( index_25 : u32) -> Memory_0
@@ -2285,16 +2314,16 @@ fn load_memory_0( index_25 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_8 = load_lit_0(index_25);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S186 : u32 = seen_0.x;
-    var _S187 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S186), high_half_0(_S186), low_half_0(_S187));
-    var _S188 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S187), low_half_0(_S188), high_half_0(_S188));
+    var _S187 : u32 = seen_0.x;
+    var _S188 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S187), high_half_0(_S187), low_half_0(_S188));
+    var _S189 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S188), low_half_0(_S189), high_half_0(_S189));
     memory_0.normal_7 = normal_in_0(surface_3.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S189 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S189);
-    memory_0.coverage_0 = low_half_0(_S189);
+    var _S190 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S190);
+    memory_0.coverage_0 = low_half_0(_S190);
     return memory_0;
 }
 
@@ -2309,9 +2338,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_26 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_26);
-    var _S190 : u32 = light_14.y;
-    var _S191 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S190), vec3<f32>(low_half_0(_S191), high_half_0(_S191), low_half_0(_S190)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
+    var _S191 : u32 = light_14.y;
+    var _S192 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S191), vec3<f32>(low_half_0(_S192), high_half_0(_S192), low_half_0(_S191)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
 }
 
 fn memory_before_0( index_27 : u32) -> Memory_0
@@ -2336,12 +2365,12 @@ fn memory_before_0( index_27 : u32) -> Memory_0
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 {
-    var _S192 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S192;
-    var share_6 : f32 = 1.0f / _S192;
-    var _S193 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S193;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S193;
+    var _S193 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S193;
+    var share_6 : f32 = 1.0f / _S193;
+    var _S194 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S194;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S194;
     if(!sample_3.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2351,60 +2380,60 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_10;
-    var _S194 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S194;
-    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S194;
+    var _S195 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S195;
+    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S195;
     if(covered_0 > 1.0f)
     {
-        var along_0 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
-        (*this_11).roughness_0 = (*this_11).roughness_0 + (along_0 * along_0 / max(length_squared_0((*this_11).normal_7), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_11).roughness_0) * of_covered_0;
+        var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
+        (*this_11).roughness_0 = (*this_11).roughness_0 + (along_1 * along_1 / max(length_squared_0((*this_11).normal_7), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_11).roughness_0) * of_covered_0;
     }
     return;
 }
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S195 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S195;
+    var _S196 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S196;
     var l_1 : f32 = luminance_0(found_1);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S196 : vec3<f32> = vec3<f32>((1.0f / _S195));
-    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S196;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S196;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S196;
+    var _S197 : vec3<f32> = vec3<f32>((1.0f / _S196));
+    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S197;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S197;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S197;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_4);
-    var _S197 : Lit_0 = (*this_13).lit_8;
-    Lit_add_0(&(_S197), sample_4.light_8, sample_4.albedo_0, most_1);
-    (*this_13).lit_8 = _S197;
+    var _S198 : Lit_0 = (*this_13).lit_8;
+    Lit_add_0(&(_S198), sample_4.light_8, sample_4.albedo_0, most_1);
+    (*this_13).lit_8 = _S198;
     return;
 }
 
 fn packed_normal_0( normal_9 : vec3<f32>) -> u32
 {
-    var _S198 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
-    return (((((u32(_S198.x) & (u32(1023)))) | (((((u32(_S198.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S198.z) & (u32(1023)))) << (u32(20))))));
+    var _S199 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    return (((((u32(_S199.x) & (u32(1023)))) | (((((u32(_S199.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S199.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_8);
-    var _S199 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S200 : u32;
+    var _S200 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S201 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S200 = u32(1073741824);
+        _S201 = u32(1073741824);
     }
     else
     {
-        _S200 = u32(0);
+        _S201 = u32(0);
     }
-    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S199 | (_S200)));
+    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S200 | (_S201)));
     memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_8.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_8.light_10))), words_4.z);
     memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
@@ -2415,31 +2444,31 @@ fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 @workgroup_size(64, 1, 1)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
-    var at_21 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S201 : vec2<i32> = vec2<i32>(at_21);
-    var _S202 : bool;
-    if(is_inside_0(_S201))
+    var at_22 : vec2<u32> = pixel_of_thread_0(id_5.x);
+    var _S202 : vec2<i32> = vec2<i32>(at_22);
+    var _S203 : bool;
+    if(is_inside_0(_S202))
     {
-        _S202 = !traces_0(_S201);
+        _S203 = !traces_0(_S202);
     }
     else
     {
-        _S202 = false;
+        _S203 = false;
     }
-    if(_S202)
+    if(_S203)
     {
-        var index_29 : u32 = index_of_0(at_21);
+        var index_29 : u32 = index_of_0(at_22);
         var memory_3 : Memory_0 = memory_before_0(index_29);
         var is_lit_0 : bool = (memory_3.lit_8.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S202 = true;
+            _S203 = true;
         }
         else
         {
-            _S202 = !has_0(u32(8));
+            _S203 = !has_0(u32(8));
         }
-        if(_S202)
+        if(_S203)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2451,7 +2480,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S201 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S202 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2491,7 +2520,7 @@ fn Lit_variance_0( this_15 : Lit_0) -> f32
     return max(this_15.moments_0.x - 2.0f * ratio_0 * this_15.moments_0.y + ratio_0 * ratio_0 * this_15.moments_0.z, 0.0f) / (albedo_5 * albedo_5 * max(this_15.paths_1 - 1.0f, 0.5f));
 }
 
-fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
+fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
 {
     var dy_7 : i32 = i32(-3);
     var sum_8 : f32 = 0.0f;
@@ -2519,7 +2548,7 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             {
                 break;
             }
-            var other_9 : vec2<i32> = at_22 + vec2<i32>(dx_7, dy_7);
+            var other_9 : vec2<i32> = at_23 + vec2<i32>(dx_7, dy_7);
             if(!is_inside_0(other_9))
             {
                 dx_7 = dx_7 + i32(1);
@@ -2528,10 +2557,10 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_30 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_30);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
-            var _S203 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S203 * light_15;
+            var _S204 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S204 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_9 = sum_9 + _S203;
+            sum_9 = sum_9 + _S204;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2545,16 +2574,16 @@ fn variance_around_0( at_22 : vec2<i32>,  center_1 : Center_0) -> f32
     return max(squares_2 * scale_2 - sum_8 * scale_2 * sum_8 * scale_2, 0.0f);
 }
 
-fn begin_filter_0( at_23 : vec2<i32>)
+fn begin_filter_0( at_24 : vec2<i32>)
 {
-    var index_31 : u32 = index_of_0(vec2<u32>(at_23));
+    var index_31 : u32 = index_of_0(vec2<u32>(at_24));
     var lit_10 : Lit_0 = load_lit_0(index_31);
     var color_17 : vec3<f32> = Lit_irradiance_0(lit_10);
     var own_6 : f32 = Lit_variance_0(lit_10);
     var own_7 : f32;
     if((lit_10.paths_1) < 3.5f)
     {
-        var around_0 : f32 = variance_around_0(at_23, center_of_0(index_31));
+        var around_0 : f32 = variance_around_0(at_24, center_of_0(index_31));
         if((lit_10.paths_1) < 1.5f)
         {
             own_7 = around_0;
@@ -2577,21 +2606,21 @@ fn begin_filter_0( at_23 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S204 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S205 : vec2<i32> = vec2<i32>(_S204);
-    if(is_inside_0(_S205))
+    var _S205 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S206 : vec2<i32> = vec2<i32>(_S205);
+    if(is_inside_0(_S206))
     {
-        begin_filter_0(_S205);
+        begin_filter_0(_S206);
     }
     return;
 }
 
-fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
+fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_4 : i32) -> vec2<f32>
 {
-    var _S206 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_24)));
-    var _S207 : vec2<f32> = vec2<f32>(0.0f);
+    var _S207 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
+    var _S208 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_10 : vec2<f32> = _S207;
+    var sum_10 : vec2<f32> = _S208;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2614,15 +2643,15 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
             {
                 break;
             }
-            var _S208 : vec2<i32> = vec2<i32>(dx_8, dy_8);
-            var other_10 : vec2<i32> = at_24 + _S208 * vec2<i32>(step_3);
+            var _S209 : vec2<i32> = vec2<i32>(dx_8, dy_8);
+            var other_10 : vec2<i32> = at_25 + _S209 * vec2<i32>(step_4);
             if(!is_inside_0(other_10))
             {
                 dx_8 = dx_8 + i32(1);
                 continue;
             }
             var index_32 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = spline_0(_S208) * Center_alike_0(_S206, index_32);
+            var weight_8 : f32 = spline_0(_S209) * Center_alike_0(_S207, index_32);
             var weights_21 : f32 = weights_20 + weight_8;
             sum_11 = sum_11 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
             weights_20 = weights_21;
@@ -2635,10 +2664,10 @@ fn mean_around_0( row_13 : u32,  at_24 : vec2<i32>,  step_3 : i32) -> vec2<f32>
     return sum_10 / vec2<f32>(max(weights_19, 9.99999968265522539e-21f));
 }
 
-fn compare_around_0( at_25 : vec2<i32>)
+fn compare_around_0( at_26 : vec2<i32>)
 {
-    var index_33 : u32 = index_of_0(vec2<u32>(at_25));
-    var around_1 : vec2<f32> = mean_around_0(u32(4), at_25, i32(1));
+    var index_33 : u32 = index_of_0(vec2<u32>(at_26));
+    var around_1 : vec2<f32> = mean_around_0(u32(4), at_26, i32(1));
     var difference_5 : f32 = numbers_0(u32(4), index_33).y - around_1.y;
     set_numbers_0(u32(5), index_33, vec2<f32>(around_1.x, difference_5 * difference_5));
     return;
@@ -2648,25 +2677,25 @@ fn compare_around_0( at_25 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S209 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S210 : vec2<i32> = vec2<i32>(_S209);
-    if(is_inside_0(_S210))
+    var _S210 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S211 : vec2<i32> = vec2<i32>(_S210);
+    if(is_inside_0(_S211))
     {
-        compare_around_0(_S210);
+        compare_around_0(_S211);
     }
     return;
 }
 
-fn estimate_noise_0( at_26 : vec2<i32>)
+fn estimate_noise_0( at_27 : vec2<i32>)
 {
-    var index_34 : u32 = index_of_0(vec2<u32>(at_26));
+    var index_34 : u32 = index_of_0(vec2<u32>(at_27));
     var own_8 : f32 = numbers_0(u32(4), index_34).x;
     var color_18 : vec4<f32> = color_in_0(u32(0), index_34);
-    color_18[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_26, i32(2)).x));
+    color_18[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
     set_color_0(u32(0), index_34, color_18);
-    var _S211 : vec2<f32> = vec2<f32>(0.0f);
+    var _S212 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_12 : vec2<f32> = _S211;
+    var sum_12 : vec2<f32> = _S212;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2677,7 +2706,7 @@ fn estimate_noise_0( at_26 : vec2<i32>)
         {
             break;
         }
-        var other_11 : vec2<i32> = at_26 + vec2<i32>(dx_9, i32(0));
+        var other_11 : vec2<i32> = at_27 + vec2<i32>(dx_9, i32(0));
         if(!is_inside_0(other_11))
         {
             dx_9 = dx_9 + i32(1);
@@ -2697,19 +2726,19 @@ fn estimate_noise_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S212 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S213 : vec2<i32> = vec2<i32>(_S212);
-    if(is_inside_0(_S213))
+    var _S213 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S214 : vec2<i32> = vec2<i32>(_S213);
+    if(is_inside_0(_S214))
     {
-        estimate_noise_0(_S213);
+        estimate_noise_0(_S214);
     }
     return;
 }
 
-fn set_tolerance_0( at_27 : vec2<i32>)
+fn set_tolerance_0( at_28 : vec2<i32>)
 {
-    var index_35 : u32 = index_of_0(vec2<u32>(at_27));
-    var mean_1 : vec2<f32> = mean_down_0(u32(3), at_27, i32(8));
+    var index_35 : u32 = index_of_0(vec2<u32>(at_28));
+    var mean_1 : vec2<f32> = mean_down_0(u32(3), at_28, i32(8));
     var excess_0 : f32 = mean_1.x / max(mean_1.y, 1.00000000317107685e-30f);
     set_color_0(u32(2), index_35, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(6.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 10.0f * (1.0f + 8.0f / max(low_half_0(memory_row_0(u32(1), index_35).x), 1.0f)))));
     return;
@@ -2719,11 +2748,11 @@ fn set_tolerance_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S214 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S215 : vec2<i32> = vec2<i32>(_S214);
-    if(is_inside_0(_S215))
+    var _S215 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S216 : vec2<i32> = vec2<i32>(_S215);
+    if(is_inside_0(_S216))
     {
-        set_tolerance_0(_S215);
+        set_tolerance_0(_S216);
     }
     return;
 }
@@ -2732,11 +2761,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S216 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S217 : vec2<i32> = vec2<i32>(_S216);
-    if(is_inside_0(_S217))
+    var _S217 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S218 : vec2<i32> = vec2<i32>(_S217);
+    if(is_inside_0(_S218))
     {
-        smooth_light_4(_S217);
+        smooth_light_4(_S218);
     }
     return;
 }
@@ -2745,11 +2774,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S218 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S219 : vec2<i32> = vec2<i32>(_S218);
-    if(is_inside_0(_S219))
+    var _S219 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S220 : vec2<i32> = vec2<i32>(_S219);
+    if(is_inside_0(_S220))
     {
-        smooth_light_3(_S219);
+        smooth_light_3(_S220);
     }
     return;
 }
@@ -2758,11 +2787,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S220 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S221 : vec2<i32> = vec2<i32>(_S220);
-    if(is_inside_0(_S221))
+    var _S221 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S222 : vec2<i32> = vec2<i32>(_S221);
+    if(is_inside_0(_S222))
     {
-        smooth_light_2(_S221);
+        smooth_light_2(_S222);
     }
     return;
 }
@@ -2771,11 +2800,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S222 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S223 : vec2<i32> = vec2<i32>(_S222);
-    if(is_inside_0(_S223))
+    var _S223 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S224 : vec2<i32> = vec2<i32>(_S223);
+    if(is_inside_0(_S224))
     {
-        smooth_light_1(_S223);
+        smooth_light_1(_S224);
     }
     return;
 }
@@ -2784,11 +2813,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S224 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S225 : vec2<i32> = vec2<i32>(_S224);
-    if(is_inside_0(_S225))
+    var _S225 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S226 : vec2<i32> = vec2<i32>(_S225);
+    if(is_inside_0(_S226))
     {
-        smooth_light_0(_S225);
+        smooth_light_0(_S226);
     }
     return;
 }
@@ -2797,11 +2826,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S226 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S227 : vec2<i32> = vec2<i32>(_S226);
-    if(is_inside_0(_S227))
+    var _S227 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S228 : vec2<i32> = vec2<i32>(_S227);
+    if(is_inside_0(_S228))
     {
-        end_levels_0(_S227);
+        end_levels_0(_S228);
     }
     return;
 }
@@ -2810,11 +2839,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S228 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S229 : vec2<i32> = vec2<i32>(_S228);
-    if(is_inside_0(_S229))
+    var _S229 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S230 : vec2<i32> = vec2<i32>(_S229);
+    if(is_inside_0(_S230))
     {
-        compare_across_0(_S229);
+        compare_across_0(_S230);
     }
     return;
 }
@@ -2858,18 +2887,18 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S230 : u32 = id_17.x;
-    var _S231 : vec2<u32> = pixel_of_thread_0(_S230);
-    var _S232 : vec2<i32> = vec2<i32>(_S231);
-    if(is_inside_0(_S232))
+    var _S231 : u32 = id_17.x;
+    var _S232 : vec2<u32> = pixel_of_thread_0(_S231);
+    var _S233 : vec2<i32> = vec2<i32>(_S232);
+    if(is_inside_0(_S233))
     {
-        var index_36 : u32 = index_of_0(vec2<u32>(_S232));
+        var index_36 : u32 = index_of_0(vec2<u32>(_S233));
         var memory_5 : Memory_0 = load_memory_0(index_36);
         var light_16 : vec3<f32> = Lit_irradiance_0(memory_5.lit_8);
         var light_17 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            light_17 = trusted_light_0(_S232, light_16);
+            light_17 = trusted_light_0(_S233, light_16);
         }
         else
         {
@@ -2880,11 +2909,11 @@ fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local
     }
     if(thread_1 == u32(0))
     {
-        if(_S230 == u32(0))
+        if(_S231 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S233 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S234 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

@@ -8530,9 +8530,8 @@ fn Item_asks_cache_0( this_69 : Item_0) -> bool
     return _S575;
 }
 
-fn at_camera_0( pixel_3 : vec2<u32>,  camera_1 : CameraFrame_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
+fn at_camera_0( ray_33 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var ray_33 : Ray_0 = camera_ray_1(pixel_3, camera_1, sampler_10);
     var _S576 : vec3<f32> = vec3<f32>(0.0f);
     return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S576, _S576, _S576, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
 }
@@ -8547,16 +8546,16 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
         return _S577;
     }
     var _S578 : CameraFrame_0 = FrameParams_camera_0();
-    var camera_2 : CameraFrame_0;
+    var camera_1 : CameraFrame_0;
     if((this_70.kind_2) == u32(3))
     {
-        camera_2 = camera_before_0();
+        camera_1 = camera_before_0();
     }
     else
     {
-        camera_2 = _S578;
+        camera_1 = _S578;
     }
-    return at_camera_0(this_70.at_13, camera_2, this_70.sampler_2, Item_asks_cache_0(this_70));
+    return at_camera_0(camera_ray_1(this_70.at_13, camera_1, this_70.sampler_2), this_70.sampler_2, Item_asks_cache_0(this_70));
 }
 
 fn scratch_row_0( row_14 : u32,  index_36 : u32) -> vec2<u32>

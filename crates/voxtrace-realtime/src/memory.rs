@@ -6,6 +6,8 @@ use voxtrace_core::math::luminance;
 
 /// Added to albedos before they divide, so that black surfaces do not make noise of nothing.
 pub(crate) const LEAST_ALBEDO: f32 = 0.003;
+/// How many times the products of their means moments are at most where light was found again: what half floats say, less some.
+pub(crate) const MOST_BEYOND: f32 = 60_000.0;
 /// Least sum of an albedo's channels that says how much light falls on a surface.
 const LEAST_SUM: f32 = 0.0003;
 
@@ -108,6 +110,12 @@ impl Memory {
     pub fn light_alone(&self) -> Self {
         let Self { paths, light, shaded, moments, .. } = *self;
         Self { paths, light, shaded, moments, ..Self::default() }
+    }
+
+    /// Bounds the moments by the means. Light of a pixel that had next to no weight is nearly nothing, and its square is not as small.
+    pub fn bounded(self) -> Self {
+        let (l, a) = (luminance(self.light), luminance(self.shaded));
+        Self { moments: self.moments.min(Vec3::new(l * l, l * a, a * a) * MOST_BEYOND), ..self }
     }
 
     /// Forgets all but `paths` paths.

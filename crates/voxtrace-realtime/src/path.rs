@@ -87,7 +87,8 @@ impl View<'_> {
     /// Follows the path of a pixel. `requests` gets the cells of the light cache that it asked for.
     pub fn sample(&self, x: u32, y: u32, sampler: Sampler, requests: &mut Vec<Request>) -> Sample {
         let mut sample = Sample::default();
-        let Some((mut path, mut ray)) = self.see((x, y), sampler, self.candidates, &mut sample) else { return sample };
+        let numbers = (sampler, sampler.stratified(DIMENSION_CAMERA));
+        let Some((mut path, mut ray)) = self.see((x, y), numbers, self.candidates, &mut sample) else { return sample };
         loop {
             let hit = self.cast(&path, &ray);
             if let Some(light) = self.cached(&path, &ray, &hit, u32::MAX, requests) {
@@ -100,16 +101,21 @@ impl View<'_> {
         }
     }
 
-    /// What a pixel shows: as [`Self::sample`], without the light that falls there.
-    pub fn look(&self, x: u32, y: u32, sampler: Sampler) -> Sample {
+    /// What a pixel shows, by a ray of the camera that its four numbers `jitter` choose: as [`Self::sample`], without the light that falls there.
+    pub fn look(&self, x: u32, y: u32, sampler: Sampler, jitter: [f32; 4]) -> Sample {
         let mut sample = Sample::default();
-        self.see((x, y), sampler, 0, &mut sample);
+        self.see((x, y), (sampler, jitter), 0, &mut sample);
         sample
     }
 
     /// Follows the camera's ray through mirrors and clear glass to the surface that it shows. Returns how the path goes on from there.
-    fn see(&self, (x, y): (u32, u32), sampler: Sampler, candidates: u32, sample: &mut Sample) -> Option<(Path, Ray)> {
-        let jitter = sampler.stratified(DIMENSION_CAMERA);
+    fn see(
+        &self,
+        (x, y): (u32, u32),
+        (sampler, jitter): (Sampler, [f32; 4]),
+        candidates: u32,
+        sample: &mut Sample,
+    ) -> Option<(Path, Ray)> {
         let (mut path, camera_ray) = Path::from_camera(&self.camera, x, y, sampler, jitter);
         if self.has_media {
             path = path.in_medium(self.scene, &camera_ray);

@@ -10,10 +10,11 @@ use crate::reprojection::{Before, is_cut};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use voxtrace_core::Frame;
+use voxtrace_core::integrator::DIMENSION_CAMERA;
 use voxtrace_core::integrator::path::Limits;
 use voxtrace_core::light::Lights;
 use voxtrace_core::packed::{PackedInstance, PackedScene};
-use voxtrace_core::sampler::Sampler;
+use voxtrace_core::sampler::{Sampler, shifted};
 use voxtrace_scene::Camera;
 use voxtrace_scene::camera::CameraFrame;
 use voxtrace_scene::transform::Transform;
@@ -268,12 +269,14 @@ impl RealTime {
                 return known;
             }
             known.add(&sample, most);
+            // Rays that only look go between the path's and each other.
+            let jitter = sampler(frame, self.number, index as u32).stratified(DIMENSION_CAMERA);
             let (mut looks, mut differs) = (0, false);
             while self.parts.candidates && known.looks < if differs { most_looks } else { LEAST_LOOKS } {
                 looks += 1;
                 let sample_number = MOST_LOOKS as u32 * self.number + looks;
                 let sampler = Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: sample_number };
-                let seen = view.look(x, y, sampler);
+                let seen = view.look(x, y, sampler, shifted(jitter, looks));
                 differs |= seen.differs(&sample);
                 known.look(&seen);
             }

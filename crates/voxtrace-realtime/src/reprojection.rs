@@ -16,6 +16,12 @@ const LEAST_COSINE: f32 = 0.5;
 const MOST_COVERAGE: f32 = 0.446;
 /// Least sum of the weights of pixels that show the same, of one.
 const LEAST_WEIGHT: f32 = 0.02;
+/// Most paths that are remembered where the frame before did not show the same at all pixels around: there light of one thing gets into that of another, the more
+/// the longer it is remembered.
+const MOST_AT_EDGES: f32 = 8.0;
+/// How far from the middle of a row or column of pixels, in pixels, a place is at most that is taken to be there: so what stands still is remembered as it is, and no
+/// rounding decides which pixels are around.
+const STILL: f32 = 1e-3;
 /// By how much a pixel is nearer than those before to be taken in their place, square pixels: where several are as near, no rounding decides.
 const NEARER: f32 = 1e-3;
 
@@ -32,7 +38,7 @@ pub struct Before<'a> {
 }
 
 impl Before<'_> {
-    /// The light that is known to fall on what `sample`, along `ray`, the camera's, shows; `width` is that of a pixel there, world units. Nothing where nothing of it was seen.
+    /// The light that is known to fall on what `sample` shows, of a pixel through whose middle `ray`, the camera's, goes; `width` is that of a pixel there, world units. Nothing where nothing of it was seen.
     pub fn memory_of(&self, sample: &Sample, ray: &Ray, width: f32) -> Memory {
         let motion = sample.shown.filter(|shown| shown.instance != Hit::NONE);
         let motion = motion.and_then(|shown| self.motions.get(shown.instance as usize).copied().flatten());
@@ -43,7 +49,15 @@ impl Before<'_> {
         let normal = sample.shown.map_or(Vec3::ZERO, |shown| {
             motion.map_or(shown.normal, |then| then.direction(shown.normal).normalize_or_zero())
         });
-        let Some(at) = position(self.camera, place) else { return Memory::default() };
+        // What is known of a pixel is that of its middle: were it taken from where the sample was, light would wander by a part of a pixel in every frame.
+        let middle = match &sample.shown {
+            Some(shown) => {
+                let along = ray.direction.dot(shown.place - ray.origin) / ray.direction.length_squared();
+                motion.map_or(ray.at(along), |then| then.point(ray.at(along)))
+            }
+            None => place,
+        };
+        let Some(at) = position(self.camera, middle) else { return Memory::default() };
         let shows = |memory: &Memory| match &sample.shown {
             None => memory.coverage < MOST_COVERAGE,
             Some(_) => {
@@ -53,12 +67,14 @@ impl Before<'_> {
                 memory.coverage > 0.0 && distance <= tolerance && cosine >= LEAST_COSINE * memory.normal.length()
             }
         };
-        self.gather(at, &shows)
+        self.gather(at, &shows).bounded()
     }
 
-    /// The light at a position by Catmull and Rom's cubic, which keeps it sharp from frame to frame, where all sixteen pixels around show the same; else the mean
-    /// of those of four that do, and where none does, the nearest of nine that does.
+    /// The light at a position by Catmull and Rom's cubic, which keeps it sharp from frame to frame, where all sixteen pixels around show the same, or those that have a
+    /// part in it; else the mean of those of four that do, and where none does, the nearest of nine that does.
     fn gather(&self, at: Vec2, shows: &impl Fn(&Memory) -> bool) -> Memory {
+        let middle = at.floor() + 0.5;
+        let at = Vec2::select((at - middle).abs().cmple(Vec2::splat(STILL)), middle, at);
         let corner = (at - 0.5).floor();
         let share = at - 0.5 - corner;
         let (x, y) = (corner.x as i32, corner.y as i32);
@@ -75,7 +91,7 @@ impl Before<'_> {
             weights += weight;
         }
         if weights >= LEAST_WEIGHT {
-            return sum.mean(weights);
+            return sum.mean(weights).at_an_edge();
         }
         let (x, y) = (at.x.floor() as i32, at.y.floor() as i32);
         let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
@@ -87,7 +103,7 @@ impl Before<'_> {
                 (nearest, least) = (Some(memory), distance((dx, dy)));
             }
         }
-        nearest.map(Memory::light_alone).unwrap_or_default()
+        nearest.map(Memory::light_alone).unwrap_or_default().at_an_edge()
     }
 
     fn pixel(&self, x: i32, y: i32) -> Option<&Memory> {
@@ -153,6 +169,9 @@ fn cubic<'a>(share: Vec2, known: impl Fn(i32, i32) -> Option<&'a Memory>) -> Opt
     let (mut sum, mut least) = (Sum::default(), f32::INFINITY);
     for (dy, down) in (-1..).zip(down) {
         for (dx, across) in (-1..).zip(across) {
+            if across * down == 0.0 {
+                continue;
+            }
             let memory = known(dx, dy)?;
             sum.add(memory, across * down);
             least = least.min(memory.paths);
@@ -164,6 +183,12 @@ fn cubic<'a>(share: Vec2, known: impl Fn(i32, i32) -> Option<&'a Memory>) -> Opt
         light.light.min_element() >= 0.0 && light.shaded.min_element() >= 0.0 && light.moments.min_element() >= 0.0;
     light.paths = light.paths.max(least);
     is_sound.then_some(light)
+}
+
+impl Memory {
+    fn at_an_edge(self) -> Self {
+        Self { paths: self.paths.min(MOST_AT_EDGES), ..self }
+    }
 }
 
 /// A weighted sum of the light that pixels know.
@@ -208,6 +233,63 @@ mod tests {
         assert!(is_cut(&before, &with(camera.eye + far, camera.target + far)), "it is elsewhere");
         assert!(!is_cut(&before, &Frame::new(camera.clone(), 160, 90)), "another size");
         assert!(is_cut(&before, &before.clone().seed(5)), "other random numbers");
+    }
+
+    /// Memory of 8 × 8 pixels before an orthographic camera whose pixels are a unit wide, each with light of its own, and the camera.
+    fn before(plane: impl Fn(u32) -> f32) -> (Vec<Memory>, Camera) {
+        let camera = Camera::look_at(Vec3::new(0.0, -50.0, 0.0), Vec3::ZERO);
+        let camera = camera.with_lens(Lens::Orthographic { view_height: 8.0 });
+        let frame = camera.frame(8, 8);
+        let pixel = |index: u32| {
+            let ray = frame.ray(Vec2::new((index % 8) as f32 + 0.5, (index / 8) as f32 + 0.5), Vec2::splat(0.5));
+            Memory {
+                paths: 32.0,
+                looks: 4.0,
+                coverage: 1.0,
+                normal: Vec3::NEG_Y,
+                place: ray.at((plane(index) - ray.origin.y) / ray.direction.y),
+                light: Vec3::splat(index as f32),
+                ..Memory::default()
+            }
+        };
+        ((0..64).map(pixel).collect(), camera)
+    }
+
+    /// What is known of the pixel at (4, 4) by a sample at `off` from its middle, on the plane y = 0, after the camera went `step` pixels to the right.
+    fn known(before: &(Vec<Memory>, Camera), off: Vec2, step: f32) -> Memory {
+        let (memory, camera) = before;
+        let then = camera.frame(8, 8);
+        let aside = camera.axes().right * step;
+        let moved = Camera { eye: camera.eye + aside, target: camera.target + aside, ..camera.clone() }.frame(8, 8);
+        let ray = moved.ray(Vec2::splat(4.5), Vec2::splat(0.5));
+        let seen = moved.ray(Vec2::splat(4.5) + off, Vec2::splat(0.5));
+        let place = seen.at(-seen.origin.y / seen.direction.y);
+        let shown = Some(crate::path::Shown { normal: Vec3::NEG_Y, place, instance: 0 });
+        let sample = Sample { shown, ..Sample::default() };
+        Before { memory, camera: &then, size: [8, 8], motions: &[] }.memory_of(&sample, &ray, 1.0)
+    }
+
+    #[test]
+    fn light_stays_where_it_is_wherever_in_the_pixel_the_sample_was() {
+        let before = before(|_| 0.0);
+        for off in [Vec2::ZERO, Vec2::new(0.45, -0.3), Vec2::new(-0.2, 0.49)] {
+            let (still, right) = (known(&before, off, 0.0), known(&before, off, 1.0));
+            assert_eq!((still.light.x, still.paths), (36.0, 32.0), "{off}");
+            assert_eq!((right.light.x, right.paths), (37.0, 32.0), "{off}: a step of a pixel");
+            let half = known(&before, off, 0.5);
+            assert!((half.light.x - 36.5).abs() < 1e-3 && half.paths == 32.0, "{off}: {half:?}");
+        }
+    }
+
+    #[test]
+    fn light_beside_other_things_is_remembered_for_few_paths() {
+        // The right half is farther away than anything that is the same.
+        let before = before(|index| if index % 8 > 4 { 20.0 } else { 0.0 });
+        let half = known(&before, Vec2::ZERO, -0.5);
+        assert!((half.light.x - 35.5).abs() < 1e-3 && half.paths == MOST_AT_EDGES, "{half:?}");
+        assert_eq!(known(&before, Vec2::ZERO, 0.0).paths, 32.0, "what stands still keeps all");
+        assert_eq!(known(&before, Vec2::ZERO, 0.9).light.x, 36.0, "of the four pixels, that which shows the same");
+        assert_eq!(known(&before, Vec2::ZERO, 2.0), Memory::default(), "what was not seen");
     }
 
     #[test]

@@ -57,6 +57,16 @@ impl Sampler {
     }
 }
 
+/// Numbers in [0, 1) of a dimension of [`Sampler`] that fill the unit squares of their pairs evenly together with `numbers`, which are those for 0: each is uniform
+/// where those are (a digital shift of the Sobol sequence).
+#[inline]
+pub fn shifted(numbers: [f32; 4], by: u32) -> [f32; 4] {
+    let [x, y] = scrambled_sobol(by, 0, [0; 2]);
+    let shift = |number: f32, shift: u32| unit_f32(((number * 16_777_216.0) as u32) << 8 ^ shift);
+    let [a, b, c, d] = numbers;
+    [shift(a, x), shift(b, y), shift(c, y), shift(d, x)]
+}
+
 /// The point `index` of the two-dimensional Sobol sequence, its order and each coordinate Owen-scrambled by a seed.
 #[inline(always)]
 fn scrambled_sobol(index: u32, order: u32, seeds: [u32; 2]) -> [u32; 2] {
@@ -107,6 +117,34 @@ pub fn unit_f32(word: u32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Into how many of `parts` × 16 / `parts` rectangles the pairs of shifted numbers fall, the first four, or all sixteen.
+    fn filled(numbers: [f32; 4], count: u32, parts: u32, shifted: impl Fn([f32; 4], u32) -> [f32; 4]) -> usize {
+        let rows = count / parts;
+        let places = |pair: usize| {
+            let place = |by: u32| {
+                let numbers = shifted(numbers, by);
+                ((numbers[2 * pair] * parts as f32) as u32, (numbers[2 * pair + 1] * rows as f32) as u32)
+            };
+            (0..count).map(place).collect::<std::collections::HashSet<_>>().len()
+        };
+        places(0).min(places(1))
+    }
+
+    #[test]
+    fn shifted_numbers_fill_the_squares_of_their_pairs_evenly() {
+        for pixel in 0..100 {
+            let numbers = Sampler { seed: 3, pixel, sample: 5 }.stratified(0);
+            assert_eq!(shifted(numbers, 0), numbers);
+            for (count, parts) in [(4, 1), (4, 2), (4, 4), (16, 1), (16, 2), (16, 4), (16, 8), (16, 16)] {
+                assert_eq!(filled(numbers, count, parts, shifted), count as usize, "{count} numbers, {parts} parts");
+            }
+            // A planted fault: those of samples that follow each other, the first apart.
+            let others = |_, by| if by == 0 { numbers } else { Sampler { seed: 4, pixel, sample: by }.stratified(0) };
+            let (all, some) = (16 * 8, [1, 2, 4, 8, 16].map(|parts| filled(numbers, 16, parts, others)));
+            assert!(some.iter().sum::<usize>() < all * 5 / 8, "a fault is seen: {some:?}");
+        }
+    }
 
     /// Checks mean, variance and the correlation with the neighbouring sample, pixel, dimension and seed.
     fn check_uniform(draw: impl Fn(Sampler, u32) -> [f32; 4]) -> Result<(), String> {

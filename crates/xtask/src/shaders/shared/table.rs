@@ -191,7 +191,10 @@ pub const TABLE: &[Source] = &[
         file: "voxtrace-realtime/src/on_devices.rs",
         items: &[uniform("RealTimeParams"), named("flag", "REAL_TIME")],
     },
-    Source { file: "voxtrace-realtime/src/memory.rs", items: &[same("LEAST_ALBEDO"), same("LEAST_SUM")] },
+    Source {
+        file: "voxtrace-realtime/src/memory.rs",
+        items: &[same("LEAST_ALBEDO"), same("LEAST_SUM"), same("MOST_BEYOND")],
+    },
     Source {
         file: "voxtrace-realtime/src/reprojection.rs",
         items: &[
@@ -199,6 +202,8 @@ pub const TABLE: &[Source] = &[
             named("LEAST_COSINE", "BEFORE_LEAST_COSINE"),
             named("LEAST_WEIGHT", "BEFORE_LEAST_WEIGHT"),
             named("MOST_COVERAGE", "BEFORE_MOST_COVERAGE"),
+            named("MOST_AT_EDGES", "BEFORE_MOST_AT_EDGES"),
+            named("STILL", "BEFORE_STILL"),
             named("NEARER", "BEFORE_NEARER"),
         ],
     },
