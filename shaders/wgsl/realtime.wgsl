@@ -3768,6 +3768,16 @@ fn shading_normal_0( ray_11 : Ray_0,  hit_7 : Hit_0,  material_10 : PackedMateri
     return world_normal_0(Instances_operatorx5Bx5D_get_0(hit_7.instance_1), hit_7.face_0);
 }
 
+fn normal_steps_0( normal_5 : vec3<f32>) -> vec3<f32>
+{
+    return floor(clamp(normal_5, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.50099998712539673f));
+}
+
+fn in_ten_bits_0( normal_6 : vec3<f32>) -> vec3<f32>
+{
+    return normal_steps_0(normal_6) * vec3<f32>(0.00195694714784622f);
+}
+
 fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 {
     return vector_of_0(material_11.base_color_0);
@@ -3782,7 +3792,7 @@ fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  s
         absorb_0(&(_S245), _S245.inside_0, ray_12, hit_8.t_0);
     }
     var material_12 : PackedMaterial_0 = material_met_0(_S245, hit_8, beyond_4);
-    (*sample_9).normal_4 = shading_normal_0(ray_12, hit_8, material_12);
+    (*sample_9).normal_4 = in_ten_bits_0(shading_normal_0(ray_12, hit_8, material_12));
     (*sample_9).albedo_0 = _S245.beta_0 * albedo_of_0(material_12);
     return;
 }
@@ -6039,14 +6049,14 @@ fn item_of_0( number_4 : u32) -> Item_0
     return item_0;
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_7 : vec3<f32>,  instance_14 : u32) -> Sample_0
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_7 : vec3<f32>,  instance_14 : u32) -> Sample_0
 {
     var _S412 : Sample_0;
     _S412.direct_0 = direct_1;
     _S412.light_6 = light_10;
     _S412.is_shown_0 = is_shown_1;
     _S412.albedo_0 = albedo_1;
-    _S412.normal_4 = normal_5;
+    _S412.normal_4 = normal_7;
     _S412.place_3 = place_7;
     _S412.instance_8 = instance_14;
     return _S412;
@@ -6071,7 +6081,7 @@ fn Key_voxel_0( this_53 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
     return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S414)))))) + vec3<i32>(i32((place_8 & (bits_4))), i32((((place_8 >> (_S414))) & (bits_4))), i32((((place_8 >> ((u32(2) * _S414)))) & (bits_4))));
 }
 
-fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_6 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
+fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_8 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
     var _S415 : Path_0;
     _S415.sampler_0 = sampler_5;
@@ -6081,7 +6091,7 @@ fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kind
     _S415.scattered_0 = scattered_4;
     _S415.beta_0 = beta_1;
     _S415.pdf_1 = pdf_12;
-    _S415.normal_0 = normal_6;
+    _S415.normal_0 = normal_8;
     _S415.selection_0 = selection_4;
     _S415.passed_t_0 = passed_t_1;
     _S415.inside_0 = inside_6;
@@ -6115,23 +6125,23 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     return;
 }
 
-fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_13 : ptr<function, f32>) -> vec3<f32>
+fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_13 : ptr<function, f32>) -> vec3<f32>
 {
     var u_19 : vec4<f32> = Sampler_independent_0(sampler_7, u32(0));
     var x_11 : vec3<f32>;
     var y_6 : vec3<f32>;
-    orthonormal_pair_0(normal_7, &(x_11), &(y_6));
+    orthonormal_pair_0(normal_9, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
     var _S419 : f32 = local_5.z;
     (*pdf_13) = cosine_hemisphere_pdf_0(_S419);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_7 * vec3<f32>(_S419);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S419);
 }
 
-fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_8 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_10 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
 {
     var _S420 : Surface_0;
     _S420.origin_3 = origin_13;
-    _S420.normal_2 = normal_8;
+    _S420.normal_2 = normal_10;
     _S420.face_1 = face_10;
     _S420.instance_3 = instance_15;
     return _S420;
@@ -6183,15 +6193,15 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     }
     var _S423 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
     var origin_14 : vec3<f32> = Transform_point_0(_S423.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S423.grid_from_world_0.translation_0), _S422, face_11, _S422 + on_face_1));
-    var normal_9 : vec3<f32> = world_normal_0(_S423, face_11);
+    var normal_11 : vec3<f32> = world_normal_0(_S423, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
     var _S424 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_9, &(_S424));
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S424));
     path_12.pdf_1 = _S424;
-    var receiver_21 : Receiver_0 = Receiver_x24init_0(origin_14, normal_9);
+    var receiver_21 : Receiver_0 = Receiver_x24init_0(origin_14, normal_11);
     path_12.selection_0 = Lights_selection_0(receiver_21);
-    path_12.normal_0 = normal_9;
-    var surface_5 : Surface_0 = Surface_x24init_0(origin_14, normal_9, face_11, key_3.instance_9);
+    path_12.normal_0 = normal_11;
+    var surface_5 : Surface_0 = Surface_x24init_0(origin_14, normal_11, face_11, key_3.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -6567,9 +6577,9 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     return at_camera_0(camera_ray_2(this_61.at_12, camera_1, this_61.sampler_3), this_61.sampler_3, Item_asks_cache_0(this_61));
 }
 
-fn packed_normal_0( normal_10 : vec3<f32>) -> u32
+fn packed_normal_0( normal_12 : vec3<f32>) -> u32
 {
-    var _S442 : vec3<i32> = vec3<i32>(floor(clamp(normal_10, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    var _S442 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
     return (((((u32(_S442.x) & (u32(1023)))) | (((((u32(_S442.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S442.z) & (u32(1023)))) << (u32(20))))));
 }
 
@@ -6591,14 +6601,14 @@ fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
     {
         _S444 = u32(0);
     }
-    var normal_11 : u32 = (_S443 | (_S444));
+    var normal_13 : u32 = (_S443 | (_S444));
     set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
     set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
     set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
     set_scratch_row_0(u32(3), index_33, (bitcast<vec2<u32>>((vec2<f32>(sample_16.direct_0.z, sample_16.place_3.x)))));
     set_scratch_row_0(u32(4), index_33, (bitcast<vec2<u32>>((sample_16.place_3.yz))));
     set_scratch_row_0(u32(5), index_33, (bitcast<vec2<u32>>((sample_16.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_33, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_11));
+    set_scratch_row_0(u32(6), index_33, vec2<u32>((bitcast<u32>((sample_16.albedo_0.z))), normal_13));
     return;
 }
 
@@ -6742,20 +6752,20 @@ struct Memory_0
      looks_0 : f32,
      direct_2 : vec3<f32>,
      albedo_2 : vec3<f32>,
-     normal_12 : vec3<f32>,
+     normal_14 : vec3<f32>,
      place_10 : vec3<f32>,
      roughness_1 : f32,
      coverage_0 : f32,
 };
 
-fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_13 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
+fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
 {
     var _S455 : Memory_0;
     _S455.lit_0 = lit_1;
     _S455.looks_0 = looks_1;
     _S455.direct_2 = direct_3;
     _S455.albedo_2 = albedo_3;
-    _S455.normal_12 = normal_13;
+    _S455.normal_14 = normal_15;
     _S455.place_10 = place_11;
     _S455.roughness_1 = roughness_2;
     _S455.coverage_0 = coverage_1;
@@ -6826,7 +6836,7 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     memory_0.direct_2 = vec3<f32>(low_half_0(_S461), high_half_0(_S461), low_half_0(_S462));
     var _S463 : u32 = seen_0.z;
     memory_0.albedo_2 = vec3<f32>(high_half_0(_S462), low_half_0(_S463), high_half_0(_S463));
-    memory_0.normal_12 = normal_in_0(surface_6.w);
+    memory_0.normal_14 = normal_in_0(surface_6.w);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
     var _S464 : u32 = shaded_3.y;
     memory_0.roughness_1 = high_half_0(_S464);
@@ -6910,12 +6920,12 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_65).place_10;
     var _S470 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_65).normal_12 = (*this_65).normal_12 + (sample_21.normal_4 - (*this_65).normal_12) * _S470;
+    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S470);
     (*this_65).place_10 = (*this_65).place_10 + (sample_21.place_3 - (*this_65).place_10) * _S470;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_65).normal_12, sample_21.place_3 - before_0);
-        (*this_65).roughness_1 = (*this_65).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_65).normal_12), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_65).roughness_1) * of_covered_0;
+        var along_1 : f32 = dot_product_0((*this_65).normal_14, sample_21.place_3 - before_0);
+        (*this_65).roughness_1 = (*this_65).roughness_1 + (along_1 * along_1 / max(length_squared_0((*this_65).normal_14), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_65).roughness_1) * of_covered_0;
     }
     return;
 }
@@ -7004,7 +7014,7 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S476 : u32 = packed_normal_0(memory_2.normal_12);
+    var _S476 : u32 = packed_normal_0(memory_2.normal_14);
     var _S477 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {

@@ -2363,6 +2363,16 @@ fn memory_before_0( index_27 : u32) -> Memory_0
     return memory_1;
 }
 
+fn normal_steps_0( normal_9 : vec3<f32>) -> vec3<f32>
+{
+    return floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.50099998712539673f));
+}
+
+fn in_ten_bits_0( normal_10 : vec3<f32>) -> vec3<f32>
+{
+    return normal_steps_0(normal_10) * vec3<f32>(0.00195694714784622f);
+}
+
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 {
     var _S193 : f32 = (*this_11).looks_0 + 1.0f;
@@ -2381,7 +2391,7 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_10;
     var _S195 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = (*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S195;
+    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S195);
     (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S195;
     if(covered_0 > 1.0f)
     {
@@ -2413,9 +2423,9 @@ fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_
     return;
 }
 
-fn packed_normal_0( normal_9 : vec3<f32>) -> u32
+fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S199 : vec3<i32> = vec3<i32>(floor(clamp(normal_9, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    var _S199 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
     return (((((u32(_S199.x) & (u32(1023)))) | (((((u32(_S199.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S199.z) & (u32(1023)))) << (u32(20))))));
 }
 

@@ -5256,6 +5256,16 @@ fn shading_normal_0( ray_18 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMater
     return world_normal_0(Instances_operatorx5Bx5D_get_0(hit_10.instance_0), hit_10.face_0);
 }
 
+fn normal_steps_0( normal_5 : vec3<f32>) -> vec3<f32>
+{
+    return floor(clamp(normal_5, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.50099998712539673f));
+}
+
+fn in_ten_bits_0( normal_6 : vec3<f32>) -> vec3<f32>
+{
+    return normal_steps_0(normal_6) * vec3<f32>(0.00195694714784622f);
+}
+
 fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 {
     return vector_of_0(material_11.base_color_0);
@@ -5270,7 +5280,7 @@ fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  
         absorb_0(&(_S339), _S339.inside_0, ray_19, hit_11.t_0);
     }
     var material_12 : PackedMaterial_0 = material_met_0(_S339, hit_11, beyond_4);
-    (*sample_9).normal_1 = shading_normal_0(ray_19, hit_11, material_12);
+    (*sample_9).normal_1 = in_ten_bits_0(shading_normal_0(ray_19, hit_11, material_12));
     (*sample_9).albedo_0 = _S339.beta_0 * albedo_of_0(material_12);
     return;
 }
@@ -6688,7 +6698,7 @@ fn show_1( path_12 : Path_0,  ray_23 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32, 
         absorb_1(&(_S441), _S441.inside_0, ray_23, hit_17.t_0);
     }
     var material_16 : PackedMaterial_0 = material_met_0(_S441, hit_17, beyond_9);
-    (*sample_19).normal_1 = shading_normal_0(ray_23, hit_17, material_16);
+    (*sample_19).normal_1 = in_ten_bits_0(shading_normal_0(ray_23, hit_17, material_16));
     (*sample_19).albedo_0 = _S441.beta_0 * albedo_of_0(material_16);
     return;
 }
@@ -8328,14 +8338,14 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     return;
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_5 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
     var _S561 : Sample_0;
     _S561.direct_0 = direct_1;
     _S561.light_1 = light_14;
     _S561.is_shown_0 = is_shown_1;
     _S561.albedo_0 = albedo_1;
-    _S561.normal_1 = normal_5;
+    _S561.normal_1 = normal_7;
     _S561.place_0 = place_9;
     _S561.instance_7 = instance_15;
     return _S561;
@@ -8360,7 +8370,7 @@ fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
     return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S563)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S563))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S563)))) & (bits_4))));
 }
 
-fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_6 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
+fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_8 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
     var _S564 : Path_0;
     _S564.sampler_0 = sampler_5;
@@ -8370,7 +8380,7 @@ fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kind
     _S564.scattered_0 = scattered_5;
     _S564.beta_0 = beta_1;
     _S564.pdf_1 = pdf_14;
-    _S564.normal_0 = normal_6;
+    _S564.normal_0 = normal_8;
     _S564.selection_0 = selection_5;
     _S564.passed_t_0 = passed_t_1;
     _S564.inside_0 = inside_8;
@@ -8404,35 +8414,35 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     return;
 }
 
-fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_7 : vec3<f32>,  pdf_15 : ptr<function, f32>) -> vec3<f32>
+fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_15 : ptr<function, f32>) -> vec3<f32>
 {
     var u_30 : vec4<f32> = Sampler_independent_0(sampler_7, u32(0));
     var x_12 : vec3<f32>;
     var y_7 : vec3<f32>;
-    orthonormal_pair_0(normal_7, &(x_12), &(y_7));
+    orthonormal_pair_0(normal_9, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
     var _S568 : f32 = local_7.z;
     (*pdf_15) = cosine_hemisphere_pdf_0(_S568);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_7 * vec3<f32>(_S568);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S568);
 }
 
-fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_8 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
+fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
 {
     var u_31 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
     var x_13 : vec3<f32>;
     var y_8 : vec3<f32>;
-    orthonormal_pair_0(normal_8, &(x_13), &(y_8));
+    orthonormal_pair_0(normal_10, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
     var _S569 : f32 = local_8.z;
     (*pdf_16) = cosine_hemisphere_pdf_0(_S569);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_8 * vec3<f32>(_S569);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S569);
 }
 
-fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_9 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
 {
     var _S570 : Surface_0;
     _S570.origin_11 = origin_13;
-    _S570.normal_3 = normal_9;
+    _S570.normal_3 = normal_11;
     _S570.face_2 = face_11;
     _S570.instance_11 = instance_16;
     return _S570;
@@ -8484,15 +8494,15 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     }
     var _S573 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
     var origin_14 : vec3<f32> = Transform_point_0(_S573.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S573.grid_from_world_0.translation_0), _S572, face_12, _S572 + on_face_2));
-    var normal_10 : vec3<f32> = world_normal_0(_S573, face_12);
+    var normal_12 : vec3<f32> = world_normal_0(_S573, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
     var _S574 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_10, &(_S574));
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S574));
     path_15.pdf_1 = _S574;
-    var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_10);
+    var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_12);
     path_15.selection_0 = Lights_selection_0(receiver_30);
-    path_15.normal_0 = normal_10;
-    var surface_6 : Surface_0 = Surface_x24init_0(origin_14, normal_10, face_12, key_5.instance_9);
+    path_15.normal_0 = normal_12;
+    var surface_6 : Surface_0 = Surface_x24init_0(origin_14, normal_12, face_12, key_5.instance_9);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -8717,9 +8727,9 @@ fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
     return true;
 }
 
-fn packed_normal_0( normal_11 : vec3<f32>) -> u32
+fn packed_normal_0( normal_13 : vec3<f32>) -> u32
 {
-    var _S582 : vec3<i32> = vec3<i32>(floor(clamp(normal_11, vec3<f32>(-1.0f), vec3<f32>(1.0f)) * vec3<f32>(511.0f) + vec3<f32>(0.5f)));
+    var _S582 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
     return (((((u32(_S582.x) & (u32(1023)))) | (((((u32(_S582.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S582.z) & (u32(1023)))) << (u32(20))))));
 }
 
@@ -8735,14 +8745,14 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
     {
         _S584 = u32(0);
     }
-    var normal_12 : u32 = (_S583 | (_S584));
+    var normal_14 : u32 = (_S583 | (_S584));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
     set_scratch_row_0(u32(3), index_37, (bitcast<vec2<u32>>((vec2<f32>(sample_24.direct_0.z, sample_24.place_0.x)))));
     set_scratch_row_0(u32(4), index_37, (bitcast<vec2<u32>>((sample_24.place_0.yz))));
     set_scratch_row_0(u32(5), index_37, (bitcast<vec2<u32>>((sample_24.albedo_0.xy))));
-    set_scratch_row_0(u32(6), index_37, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_12));
+    set_scratch_row_0(u32(6), index_37, vec2<u32>((bitcast<u32>((sample_24.albedo_0.z))), normal_14));
     return;
 }
 

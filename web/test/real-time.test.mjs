@@ -109,7 +109,7 @@ for (const [name, { prepare, camera, step }] of Object.entries(SCENES)) {
     expected.forEach((bytes, number) => write(`real-time-${name.replaceAll(" ", "-")}-${number}-expected`, bytes));
     const found = made.map((bytes, number) => psnr(bytes, expected[number]));
     t.diagnostic(`dB: ${found.map((db) => db.toFixed(1)).join(" ")}`);
-    assert.ok(Math.min(...found) >= 55, `dB: ${found.map((db) => db.toFixed(1)).join(" ")}`);
+    assert.ok(Math.min(...found) >= 60, `dB: ${found.map((db) => db.toFixed(1)).join(" ")}`);
     // Planted faults: pictures of another seed, and of the frame before.
     const other = expectedOf(file, cameras, 8).map((bytes, number) => psnr(made[number], bytes));
     assert.ok(other.every((db, number) => db < found[number] - 6), `another seed: ${other.map((db) => db.toFixed(1)).join(" ")}`);

@@ -8,6 +8,10 @@ use voxtrace_core::math::luminance;
 pub(crate) const LEAST_ALBEDO: f32 = 0.003;
 /// How many times the products of their means moments are at most where light was found again: what half floats say, less some.
 pub(crate) const MOST_BEYOND: f32 = 60_000.0;
+/// Steps of each part of a normal on either side of zero.
+const NORMAL_STEPS: f32 = 511.0;
+/// Added before parts of normals become whole: no half, which means of two, four and more normals often are, so that no rounding decides.
+const NORMAL_ROUNDING: f32 = 0.501;
 /// Least sum of an albedo's channels that says how much light falls on a surface.
 const LEAST_SUM: f32 = 0.0003;
 
@@ -22,7 +26,7 @@ pub struct Memory {
     pub direct: Vec3,
     /// Share of light that what is seen scatters.
     pub albedo: Vec3,
-    /// Normals, world space: shorter than one where the pixel shows several.
+    /// Normals, world space, by [`in_ten_bits`]: shorter than one where the pixel shows several.
     pub normal: Vec3,
     /// Where surfaces are, world space.
     pub place: Vec3,
@@ -54,7 +58,7 @@ impl Memory {
         let covered = self.coverage * (self.looks - 1.0) + 1.0;
         self.coverage = covered * share;
         let (share, before) = (1.0 / covered, self.place);
-        self.normal += (shown.normal - self.normal) * share;
+        self.normal = in_ten_bits(self.normal + (shown.normal - self.normal) * share);
         self.place += (shown.place - self.place) * share;
         self.instance = shown.instance;
         if covered > 1.0 {
@@ -130,6 +134,12 @@ impl Memory {
     }
 }
 
+/// A normal, of length one at most, as ten bits an axis say it, which is how rows of devices keep it. Means of normals are this after each ray, so that wherever they
+/// are kept in between the same pixels show the same.
+pub(crate) fn in_ten_bits(normal: Vec3) -> Vec3 {
+    (normal.clamp(Vec3::NEG_ONE, Vec3::ONE) * NORMAL_STEPS + NORMAL_ROUNDING).floor() * (1.0 / NORMAL_STEPS)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -151,6 +161,32 @@ mod tests {
         assert!((0.5..1.0).contains(&radiance(1.0)), "{}", radiance(1.0));
         // A planted fault: without an albedo of the medium, all of its light came from the surface's.
         assert!(radiance(0.0) > 100.0);
+    }
+
+    #[test]
+    fn means_of_normals_depend_on_no_rounding() {
+        let normals = [Vec3::Z, Vec3::NEG_Y, Vec3::Z, Vec3::X, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_X, Vec3::Z];
+        // The same rounded a little otherwise, and by halves, which is the planted fault.
+        let mean = |off: f32, rounded: fn(Vec3) -> Vec3| {
+            let of = |sum: (f32, Vec3), normal: &Vec3| {
+                let count = sum.0 + 1.0;
+                (count, rounded(sum.1 + (normal - sum.1) / count + off))
+            };
+            normals
+                .iter()
+                .scan((0.0, Vec3::ZERO), |sum, normal| (*sum = of(*sum, normal), Some(sum.1)).1)
+                .collect::<Vec<_>>()
+        };
+        let by_halves = |normal: Vec3| (normal * NORMAL_STEPS + 0.5).floor() / NORMAL_STEPS;
+        assert_eq!(mean(1e-7, in_ten_bits), mean(-1e-7, in_ten_bits));
+        assert_ne!(mean(1e-7, by_halves), mean(-1e-7, by_halves));
+        for step in -511..=511 {
+            let normal = Vec3::splat(step as f32 / NORMAL_STEPS);
+            assert!(
+                in_ten_bits(normal).abs_diff_eq(normal, 1e-7)
+                    && in_ten_bits(in_ten_bits(normal)) == in_ten_bits(normal)
+            );
+        }
     }
 
     #[test]

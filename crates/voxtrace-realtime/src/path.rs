@@ -2,6 +2,7 @@
 //! the integrator, but for two things: its first light is one of several candidates, and it ends where the light cache knows what comes from there.
 
 use crate::light_cache::{LightCache, Request};
+use crate::memory::in_ten_bits;
 use glam::Vec3;
 use voxtrace_core::cuts;
 use voxtrace_core::integrator::path::{self, Arrival, Limits};
@@ -51,7 +52,7 @@ pub struct View<'a> {
 /// The surface that a sample shows, through mirrors and clear glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
-    /// Unit normal, world space.
+    /// Unit normal, world space, by [`in_ten_bits`].
     pub normal: Vec3,
     /// Where it seems to be, world space: as far along the camera's ray as the way to it is long.
     pub place: Vec3,
@@ -142,7 +143,7 @@ impl View<'_> {
                 let seen = Seen::new(self.scene, &self.limits.lines, (&ray, &hit), arrived.beta, true);
                 sample.albedo = seen.albedo;
                 sample.shown = Some(Shown {
-                    normal: self.scene.shading_normal(&ray, &hit),
+                    normal: in_ten_bits(self.scene.shading_normal(&ray, &hit)),
                     place: camera_ray.at(way + hit.t),
                     instance: if way > 0.0 { Hit::NONE } else { hit.instance },
                 });

@@ -193,7 +193,13 @@ pub const TABLE: &[Source] = &[
     },
     Source {
         file: "voxtrace-realtime/src/memory.rs",
-        items: &[same("LEAST_ALBEDO"), same("LEAST_SUM"), same("MOST_BEYOND")],
+        items: &[
+            same("LEAST_ALBEDO"),
+            same("LEAST_SUM"),
+            same("MOST_BEYOND"),
+            same("NORMAL_STEPS"),
+            same("NORMAL_ROUNDING"),
+        ],
     },
     Source {
         file: "voxtrace-realtime/src/reprojection.rs",
