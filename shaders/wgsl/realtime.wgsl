@@ -26,7 +26,8 @@ struct RealTimeParams_std140_0
     @align(4) again_0 : u32,
     @align(16) exposure_0 : f32,
     @align(4) curve_0 : u32,
-    @align(8) padding_0 : vec2<u32>,
+    @align(8) share_0 : f32,
+    @align(4) padding_0 : u32,
 };
 
 @binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;
@@ -2262,7 +2263,7 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     var total_5 : f32 = sum_0 * unit_1;
     var _S168 : f32 = way_0.choice_0 * total_5;
     var _S169 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
+    var share_1 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
     var _S170 : bool;
     if(is_met_2)
     {
@@ -2270,27 +2271,27 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     }
     else
     {
-        _S170 = share_0 > 0.0f;
+        _S170 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
     if(_S170)
     {
         (*side_0) = u32(0);
-        chosen_2 = share_0;
+        chosen_2 = share_1;
     }
     else
     {
         chosen_2 = 0.0f;
     }
-    var _S171 : bool = _S168 < (share_0 * way_0.weight_0);
-    var share_1 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
+    var _S171 : bool = _S168 < (share_1 * way_0.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
     if(is_met_2)
     {
         _S170 = u32(1) == _S169;
     }
     else
     {
-        if(share_1 > 0.0f)
+        if(share_2 > 0.0f)
         {
             _S170 = !_S171;
         }
@@ -2302,9 +2303,9 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     if(_S170)
     {
         (*side_0) = u32(1);
-        chosen_2 = share_1;
+        chosen_2 = share_2;
     }
-    var passed_0 : f32 = share_0 + share_1;
+    var passed_0 : f32 = share_1 + share_2;
     if(_S171)
     {
         _S170 = true;
@@ -2313,41 +2314,11 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     {
         _S170 = _S168 < (passed_0 * way_0.weight_0);
     }
-    var share_2 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
+    var share_3 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
     var _S172 : bool;
     if(is_met_2)
     {
         _S172 = u32(2) == _S169;
-    }
-    else
-    {
-        if(share_2 > 0.0f)
-        {
-            _S172 = !_S170;
-        }
-        else
-        {
-            _S172 = false;
-        }
-    }
-    if(_S172)
-    {
-        (*side_0) = u32(2);
-        chosen_2 = share_2;
-    }
-    var passed_1 : f32 = passed_0 + share_2;
-    if(_S170)
-    {
-        _S170 = true;
-    }
-    else
-    {
-        _S170 = _S168 < (passed_1 * way_0.weight_0);
-    }
-    var share_3 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
-    if(is_met_2)
-    {
-        _S172 = u32(3) == _S169;
     }
     else
     {
@@ -2362,22 +2333,22 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     }
     if(_S172)
     {
-        (*side_0) = u32(3);
+        (*side_0) = u32(2);
         chosen_2 = share_3;
     }
-    var passed_2 : f32 = passed_1 + share_3;
+    var passed_1 : f32 = passed_0 + share_3;
     if(_S170)
     {
         _S170 = true;
     }
     else
     {
-        _S170 = _S168 < (passed_2 * way_0.weight_0);
+        _S170 = _S168 < (passed_1 * way_0.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S172 = u32(4) == _S169;
+        _S172 = u32(3) == _S169;
     }
     else
     {
@@ -2392,10 +2363,40 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     }
     if(_S172)
     {
-        (*side_0) = u32(4);
+        (*side_0) = u32(3);
         chosen_2 = share_4;
     }
-    var passed_3 : f32 = passed_2 + share_4;
+    var passed_2 : f32 = passed_1 + share_4;
+    if(_S170)
+    {
+        _S170 = true;
+    }
+    else
+    {
+        _S170 = _S168 < (passed_2 * way_0.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S172 = u32(4) == _S169;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S172 = !_S170;
+        }
+        else
+        {
+            _S172 = false;
+        }
+    }
+    if(_S172)
+    {
+        (*side_0) = u32(4);
+        chosen_2 = share_5;
+    }
+    var passed_3 : f32 = passed_2 + share_5;
     if(_S170)
     {
         _S170 = true;
@@ -2404,14 +2405,14 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     {
         _S170 = _S168 < (passed_3 * way_0.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
     if(is_met_2)
     {
         _S170 = u32(5) == _S169;
     }
     else
     {
-        if(share_5 > 0.0f)
+        if(share_6 > 0.0f)
         {
             _S170 = !_S170;
         }
@@ -2423,7 +2424,7 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     if(_S170)
     {
         (*side_0) = u32(5);
-        chosen_2 = share_5;
+        chosen_2 = share_6;
     }
     (*odds_0) = vec2<f32>(way_0.weight_0 * chosen_2, way_0.total_0 * total_5);
     if(sum_0 > 0.0f)
@@ -2475,10 +2476,10 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_3 : f32,  toward_2 
     }
     var distance_squared_0 : f32 = length_squared_0(toward_2);
     var unit_2 : f32 = inverse_power_of_two_0(power_3);
-    var share_6 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    var share_7 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
     if(in_front_0 > 0.0f)
     {
-        in_front_0 = divide_0(share_6, odds_1.y * (power_3 * unit_2) * in_front_0);
+        in_front_0 = divide_0(share_7, odds_1.y * (power_3 * unit_2) * in_front_0);
     }
     else
     {
@@ -6362,12 +6363,12 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var count_8 : f32 = f32(blades_5);
     var scaled_0 : f32 = radius_turns_0.y * count_8;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
-    var share_7 : f32 = scaled_0 - blade_0;
+    var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
     var _S431 : f32 = from_0.y;
     var _S432 : f32 = from_0.x;
-    return vec2<f32>(_S431 + (to_0.y - _S431) * share_7, _S432 + (to_0.x - _S432) * share_7) * vec2<f32>(radius_5);
+    return vec2<f32>(_S431 + (to_0.y - _S431) * share_8, _S432 + (to_0.x - _S432) * share_8) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_54 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6756,9 +6757,10 @@ struct Memory_0
      place_10 : vec3<f32>,
      roughness_1 : f32,
      coverage_0 : f32,
+     shown_0 : u32,
 };
 
-fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32) -> Memory_0
+fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32,  shown_1 : u32) -> Memory_0
 {
     var _S455 : Memory_0;
     _S455.lit_0 = lit_1;
@@ -6769,13 +6771,14 @@ fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albe
     _S455.place_10 = place_11;
     _S455.roughness_1 = roughness_2;
     _S455.coverage_0 = coverage_1;
+    _S455.shown_0 = shown_1;
     return _S455;
 }
 
 fn nothing_known_0() -> Memory_0
 {
     var _S456 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S456, _S456, _S456, _S456, 0.0f, 0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S456, _S456, _S456, _S456, 0.0f, 0.0f, u32(0));
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -6841,6 +6844,7 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var _S464 : u32 = shaded_3.y;
     memory_0.roughness_1 = high_half_0(_S464);
     memory_0.coverage_0 = low_half_0(_S464);
+    memory_0.shown_0 = seen_0.w;
     return memory_0;
 }
 
@@ -6882,6 +6886,7 @@ fn memory_before_0( index_39 : u32) -> Memory_0
         return memory_1;
     }
     memory_1.lit_0 = load_known_0(index_39);
+    memory_1.shown_0 = scratch_row_0(u32(9), index_39).y;
     return memory_1;
 }
 
@@ -6906,17 +6911,17 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
     var _S468 : f32 = (*this_65).looks_0 + 1.0f;
     (*this_65).looks_0 = _S468;
-    var share_8 : f32 = 1.0f / _S468;
-    var _S469 : vec3<f32> = vec3<f32>(share_8);
+    var share_9 : f32 = 1.0f / _S468;
+    var _S469 : vec3<f32> = vec3<f32>(share_9);
     (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S469;
     (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S469;
     if(!sample_21.is_shown_0)
     {
-        (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_8;
+        (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_9;
         return;
     }
     var covered_0 : f32 = (*this_65).coverage_0 * ((*this_65).looks_0 - 1.0f) + 1.0f;
-    (*this_65).coverage_0 = covered_0 * share_8;
+    (*this_65).coverage_0 = covered_0 * share_9;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_65).place_10;
     var _S470 : vec3<f32> = vec3<f32>(of_covered_0);
@@ -7027,7 +7032,7 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
     memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S476 | (_S477)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
-    memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_0);
     return;
 }
 

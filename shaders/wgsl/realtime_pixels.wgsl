@@ -30,7 +30,8 @@ struct RealTimeParams_std140_0
     @align(4) again_0 : u32,
     @align(16) exposure_0 : f32,
     @align(4) curve_0 : u32,
-    @align(8) padding_0 : vec2<u32>,
+    @align(8) share_0 : f32,
+    @align(4) padding_0 : u32,
 };
 
 @binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;
@@ -1018,18 +1019,18 @@ fn choose_cell_0( cell_3 : u32)
         old_cells_1 = old_cells_0;
         new_cells_1 = new_cells_0;
     }
-    var share_0 : u32;
+    var share_1 : u32;
     if((bitcast<f32>((light_5.w))) == 0.0f)
     {
         var _S89 : u32 = share_of_0(new_cells_1, u32(65536));
-        share_0 = _S89;
+        share_1 = _S89;
     }
     else
     {
         var _S90 : u32 = share_of_0(old_cells_1, u32(65536) - min(new_cells_1, u32(65536)));
-        share_0 = _S90;
+        share_1 = _S90;
     }
-    if((pcg4d_0(vec4<u32>(Key_hash_0(Key_x24init_0(face_0.x, face_0.y, vec3<i32>(cell_row_0(u32(2), cell_3).xyz))).x, real_time_0.number_0, u32(1), ((params_0.seed_0) ^ (u32(1540483477))))).x) > share_0)
+    if((pcg4d_0(vec4<u32>(Key_hash_0(Key_x24init_0(face_0.x, face_0.y, vec3<i32>(cell_row_0(u32(2), cell_3).xyz))).x, real_time_0.number_0, u32(1), ((params_0.seed_0) ^ (u32(1540483477))))).x) > share_1)
     {
         return;
     }
@@ -1264,17 +1265,17 @@ fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
         changes_1 = changes_0;
     }
     var _S119 : f32 = changes_1.w;
-    var share_1 : f32;
+    var share_2 : f32;
     if(_S119 > 0.0f)
     {
-        share_1 = min(changes_1.z / _S119, 1.0f);
+        share_2 = min(changes_1.z / _S119, 1.0f);
     }
     else
     {
-        share_1 = 0.0f;
+        share_2 = 0.0f;
     }
     var _S120 : f32 = changes_1.x;
-    memory_rows_0[place_of_square_0(u32(3), _S114)] = vec4<u32>((bitcast<u32>((share_1))), (bitcast<u32>((1.0f - clamp((share_1 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S120 - changes_1.y, 0.0f) / max(_S120, 1.00000000317107685e-30f))))), u32(0), u32(0));
+    memory_rows_0[place_of_square_0(u32(3), _S114)] = vec4<u32>((bitcast<u32>((share_2))), (bitcast<u32>((1.0f - clamp((share_2 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S120 - changes_1.y, 0.0f) / max(_S120, 1.00000000317107685e-30f))))), u32(0), u32(0));
     return;
 }
 
@@ -1631,12 +1632,12 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var count_8 : f32 = f32(blades_5);
     var scaled_0 : f32 = radius_turns_0.y * count_8;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
-    var share_2 : f32 = scaled_0 - blade_0;
+    var share_3 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
     var _S139 : f32 = from_0.y;
     var _S140 : f32 = from_0.x;
-    return vec2<f32>(_S139 + (to_0.y - _S139) * share_2, _S140 + (to_0.x - _S140) * share_2) * vec2<f32>(radius_1);
+    return vec2<f32>(_S139 + (to_0.y - _S139) * share_3, _S140 + (to_0.x - _S140) * share_3) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
@@ -1872,37 +1873,79 @@ fn cubic_weights_0( t_0 : f32) -> vec4<f32>
     return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S151 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S151 + t_0, ttt_0 - tt_0);
 }
 
+fn shown_in_0( word_3 : u32) -> vec3<f32>
+{
+    return vec3<f32>((vec3<u32>(word_3, (word_3 >> (u32(9))), (word_3 >> (u32(18)))) & (vec3<u32>(u32(511))))) * vec3<f32>((bitcast<f32>((((u32(103) + ((word_3 >> (u32(27))))) << (u32(23)))))));
+}
+
+fn word_of_0( color_17 : vec3<f32>) -> u32
+{
+    var _S152 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
+    var _S153 : i32 = max(i32(((bitcast<u32>((max(max(_S152.x, _S152.y), _S152.z)))) >> (u32(23)))) - i32(126), i32(-15));
+    var parts_0 : vec3<u32> = min(vec3<u32>(_S152 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S153) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
+    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S153 + i32(15)) << (u32(27)))))), u32(134217728));
+}
+
+fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>) -> u32
+{
+    var _S154 : vec3<f32> = vec3<f32>(0.0f);
+    var place_6 : i32 = i32(0);
+    var sum_6 : vec3<f32> = _S154;
+    for(;;)
+    {
+        if(place_6 < i32(16))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S155 : i32 = (place_6 & (i32(3)));
+        var _S156 : i32 = (place_6 >> (u32(2)));
+        var _S157 : vec2<i32> = vec2<i32>(i32(1));
+        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S155, _S156) - _S157, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S157)))).w;
+        if(word_4 == u32(0))
+        {
+            return u32(0);
+        }
+        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S155] * down_0[_S156]));
+        place_6 = place_6 + i32(1);
+        sum_6 = sum_7;
+    }
+    return word_of_0(sum_6);
+}
+
 fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
 {
     var surface_2 : vec4<u32> = memory_row_0(u32(0), index_18);
-    var word_3 : u32 = memory_row_0(u32(1), index_18).y;
+    var word_5 : u32 = memory_row_0(u32(1), index_18).y;
     if(!wanted_0.is_shown_2)
     {
-        return (low_half_0(word_3)) < 0.44600000977516174f;
+        return (low_half_0(word_5)) < 0.44600000977516174f;
     }
-    var _S152 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S152);
+    var _S158 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S158);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_3));
-    var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_3));
+    var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_5));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S153 : bool;
-    if(((_S152 & (u32(1073741824)))) != u32(0))
+    var _S159 : bool;
+    if(((_S158 & (u32(1073741824)))) != u32(0))
     {
-        _S153 = distance_1 <= tolerance_2;
+        _S159 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S153 = false;
+        _S159 = false;
     }
-    if(_S153)
+    if(_S159)
     {
-        _S153 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S159 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S153 = false;
+        _S159 = false;
     }
-    return _S153;
+    return _S159;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -1912,16 +1955,16 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S154 : u32;
+    var _S160 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S154 = index_19;
+        _S160 = index_19;
     }
     else
     {
-        _S154 = real_time_0.pixels_0;
+        _S160 = real_time_0.pixels_0;
     }
-    return _S154;
+    return _S160;
 }
 
 fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
@@ -1933,12 +1976,12 @@ fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S155 : u32 = words_2.x;
-    var _S156 : u32 = words_2.y;
-    var _S157 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S155), high_half_0(_S155), low_half_0(_S156)), vec3<f32>(0.0f));
-    var lit_1 : Lit_0 = _S157;
-    var _S158 : u32 = words_2.z;
-    lit_1.moments_0 = Lit_products_0(_S157, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S156), low_half_0(_S158), high_half_0(_S158)));
+    var _S161 : u32 = words_2.x;
+    var _S162 : u32 = words_2.y;
+    var _S163 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S161), high_half_0(_S161), low_half_0(_S162)), vec3<f32>(0.0f));
+    var lit_1 : Lit_0 = _S163;
+    var _S164 : u32 = words_2.z;
+    lit_1.moments_0 = Lit_products_0(_S163, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S162), low_half_0(_S164), high_half_0(_S164)));
     return lit_1;
 }
 
@@ -1949,13 +1992,13 @@ fn load_lit_0( index_20 : u32) -> Lit_0
     return lit_of_0(low_half_0(shaded_3.x), (bitcast<vec3<f32>>((light_13.xyz))), vec3<u32>(shaded_3.z, shaded_3.w, light_13.w));
 }
 
-fn add_weighed_0( sum_6 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
+fn add_weighed_0( sum_8 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
 {
-    (*sum_6).paths_1 = (*sum_6).paths_1 + lit_2.paths_1 * weight_5;
-    var _S159 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_6).light_10 = (*sum_6).light_10 + lit_2.light_10 * _S159;
-    (*sum_6).shaded_1 = (*sum_6).shaded_1 + lit_2.shaded_1 * _S159;
-    (*sum_6).moments_0 = (*sum_6).moments_0 + lit_2.moments_0 * _S159;
+    (*sum_8).paths_1 = (*sum_8).paths_1 + lit_2.paths_1 * weight_5;
+    var _S165 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S165;
+    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S165;
+    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S165;
     return;
 }
 
@@ -1964,49 +2007,47 @@ fn min_element_0( vector_2 : vec3<f32>) -> f32
     return min(min(vector_2.x, vector_2.y), vector_2.z);
 }
 
-fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  lit_3 : ptr<function, Lit_0>) -> bool
+fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  down_1 : vec4<f32>,  lit_3 : ptr<function, Lit_0>) -> bool
 {
     (*lit_3) = not_lit_0();
-    var _S160 : vec4<f32> = cubic_weights_0(share_3.x);
-    var _S161 : vec4<f32> = cubic_weights_0(share_3.y);
     var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
     var is_whole_0 : bool = true;
     var least_1 : f32 = INFINITY_0;
-    var place_6 : i32 = i32(0);
+    var place_7 : i32 = i32(0);
     for(;;)
     {
-        var _S162 : bool;
-        if(place_6 < i32(16))
+        var _S166 : bool;
+        if(place_7 < i32(16))
         {
-            _S162 = is_whole_0;
+            _S166 = is_whole_0;
         }
         else
         {
-            _S162 = false;
+            _S166 = false;
         }
-        if(_S162)
+        if(_S166)
         {
         }
         else
         {
             break;
         }
-        var _S163 : i32 = (place_6 & (i32(3)));
-        var _S164 : i32 = (place_6 >> (u32(2)));
-        var step_3 : vec2<i32> = vec2<i32>(_S163, _S164);
-        var _S165 : f32 = _S160[_S163] * _S161[_S164];
-        if(_S165 == 0.0f)
+        var _S167 : i32 = (place_7 & (i32(3)));
+        var _S168 : i32 = (place_7 >> (u32(2)));
+        var step_3 : vec2<i32> = vec2<i32>(_S167, _S168);
+        var _S169 : f32 = across_1[_S167] * down_1[_S168];
+        if(_S169 == 0.0f)
         {
-            place_6 = place_6 + i32(1);
+            place_7 = place_7 + i32(1);
             continue;
         }
-        var index_21 : u32 = pixel_before_0(wanted_2, corner_7 + step_3 - vec2<i32>(i32(1)));
+        var index_21 : u32 = pixel_before_0(wanted_2, corner_8 + step_3 - vec2<i32>(i32(1)));
         var is_whole_1 : bool = index_21 != (real_time_0.pixels_0);
         var least_2 : f32;
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_3)), other_8, _S165);
+            add_weighed_0(&((*lit_3)), other_8, _S169);
             least_2 = min(least_1, other_8.paths_1);
         }
         else
@@ -2015,13 +2056,13 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  l
         }
         is_whole_0 = is_whole_1;
         least_1 = least_2;
-        place_6 = place_6 + i32(1);
+        place_7 = place_7 + i32(1);
     }
     (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
-    var _S166 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
+    var _S170 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S166 >= 0.0f;
+        is_whole_0 = _S170 >= 0.0f;
     }
     else
     {
@@ -2030,55 +2071,55 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_7 : vec2<i32>,  share_3 : vec2<f32>,  l
     return is_whole_0;
 }
 
-fn linear_mean_0( wanted_3 : Wanted_0,  corner_8 : vec2<i32>,  share_4 : vec2<f32>,  lit_4 : ptr<function, Lit_0>) -> bool
+fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f32>,  lit_4 : ptr<function, Lit_0>) -> bool
 {
     (*lit_4) = not_lit_0();
-    var place_7 : u32 = u32(0);
+    var place_8 : u32 = u32(0);
     var weights_15 : f32 = 0.0f;
     for(;;)
     {
-        if(place_7 < u32(4))
+        if(place_8 < u32(4))
         {
         }
         else
         {
             break;
         }
-        var _S167 : i32 = i32((place_7 & (u32(1))));
-        var _S168 : i32 = i32((place_7 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_8 + vec2<i32>(_S167, _S168));
+        var _S171 : i32 = i32((place_8 & (u32(1))));
+        var _S172 : i32 = i32((place_8 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S171, _S172));
         if(index_22 != (real_time_0.pixels_0))
         {
-            var _S169 : f32;
-            if(_S167 == i32(0))
+            var _S173 : f32;
+            if(_S171 == i32(0))
             {
-                _S169 = 1.0f - share_4.x;
+                _S173 = 1.0f - share_4.x;
             }
             else
             {
-                _S169 = share_4.x;
+                _S173 = share_4.x;
             }
-            var _S170 : f32;
-            if(_S168 == i32(0))
+            var _S174 : f32;
+            if(_S172 == i32(0))
             {
-                _S170 = 1.0f - share_4.y;
+                _S174 = 1.0f - share_4.y;
             }
             else
             {
-                _S170 = share_4.y;
+                _S174 = share_4.y;
             }
-            var weight_6 : f32 = _S169 * _S170;
+            var weight_6 : f32 = _S173 * _S174;
             add_weighed_0(&((*lit_4)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
-        place_7 = place_7 + u32(1);
+        place_8 = place_8 + u32(1);
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
     (*lit_4).paths_1 = (*lit_4).paths_1 * scale_1;
-    var _S171 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_4).light_10 = (*lit_4).light_10 * _S171;
-    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S171;
-    (*lit_4).moments_0 = (*lit_4).moments_0 * _S171;
+    var _S175 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_4).light_10 = (*lit_4).light_10 * _S175;
+    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S175;
+    (*lit_4).moments_0 = (*lit_4).moments_0 * _S175;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2086,35 +2127,35 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
 {
     var least_3 : f32 = (bitcast<f32>(infinity_bits_0));
     var best_0 : u32 = real_time_0.pixels_0;
-    var place_8 : i32 = i32(0);
+    var place_9 : i32 = i32(0);
     for(;;)
     {
-        if(place_8 < i32(9))
+        if(place_9 < i32(9))
         {
         }
         else
         {
             break;
         }
-        var pixel_0 : vec2<i32> = vec2<i32>(floor(at_18)) + vec2<i32>(place_8 % i32(3), place_8 / i32(3)) - vec2<i32>(i32(1));
+        var pixel_0 : vec2<i32> = vec2<i32>(floor(at_18)) + vec2<i32>(place_9 % i32(3), place_9 / i32(3)) - vec2<i32>(i32(1));
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S172 : bool;
+        var _S176 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S172 = distance_2 < (least_3 - 0.00100000004749745f);
+            _S176 = distance_2 < (least_3 - 0.00100000004749745f);
         }
         else
         {
-            _S172 = false;
+            _S176 = false;
         }
-        if(_S172)
+        if(_S176)
         {
             least_3 = distance_2;
             best_0 = index_23;
         }
-        place_8 = place_8 + i32(1);
+        place_9 = place_9 + i32(1);
     }
     if(best_0 == (real_time_0.pixels_0))
     {
@@ -2128,11 +2169,12 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
+fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<function, u32>) -> Lit_0
 {
+    (*shown_0) = u32(0);
     var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_2.is_shown_0, sample_2.place_1, sample_2.normal_1, 0.0f);
-    var _S173 : vec2<f32> = vec2<f32>(0.5f);
-    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S173, vec2<f32>(0.5f));
+    var _S177 : vec2<f32> = vec2<f32>(0.5f);
+    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S177, vec2<f32>(0.5f));
     var along_0 : f32;
     if(sample_2.is_shown_0)
     {
@@ -2167,42 +2209,42 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     if(is_seen_0)
     {
         var row_12 : u32 = u32(3) * sample_2.instance_2;
-        var place_9 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
+        var place_10 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
         var between_0 : vec4<f32> = vec4<f32>(middle_2, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_2.normal_1, 0.0f);
-        var _S174 : u32 = row_12 + u32(1);
-        var _S175 : u32 = row_12 + u32(2);
-        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_9), dot(motions_1[_S174], place_9), dot(motions_1[_S175], place_9));
-        var _S176 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S174], between_0), dot(motions_1[_S175], between_0));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S174], normal_6), dot(motions_1[_S175], normal_6));
+        var _S178 : u32 = row_12 + u32(1);
+        var _S179 : u32 = row_12 + u32(2);
+        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_10), dot(motions_1[_S178], place_10), dot(motions_1[_S179], place_10));
+        var _S180 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S178], between_0), dot(motions_1[_S179], between_0));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S178], normal_6), dot(motions_1[_S179], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
-        middle_3 = _S176;
+        middle_3 = _S180;
     }
     else
     {
         middle_3 = middle_2;
     }
     var way_1 : vec3<f32> = middle_3 - real_time_0.before_origin_0;
-    var _S177 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var _S181 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S178 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S182 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S177 > 9.99999997475242708e-07f;
+            is_seen_0 = _S181 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S178 / vec2<f32>(max(_S177, 9.99999997475242708e-07f));
+        at_19 = _S182 / vec2<f32>(max(_S181, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S178;
+        at_19 = _S182;
     }
     if(!is_seen_0)
     {
@@ -2216,20 +2258,26 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
     {
         return not_lit_0();
     }
-    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S173;
+    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S177;
     var at_20 : vec2<f32> = select(at_19, middle_of_pixel_0, (abs(at_19 - middle_of_pixel_0)) <= vec2<f32>(0.00100000004749745f));
-    var _S179 : vec2<f32> = at_20 - _S173;
-    var corner_9 : vec2<f32> = floor(_S179);
-    var share_5 : vec2<f32> = _S179 - corner_9;
-    var _S180 : vec2<i32> = vec2<i32>(corner_9);
+    var _S183 : vec2<f32> = at_20 - _S177;
+    var corner_10 : vec2<f32> = floor(_S183);
+    var share_5 : vec2<f32> = _S183 - corner_10;
+    var across_2 : vec4<f32> = cubic_weights_0(share_5.x);
+    var down_2 : vec4<f32> = cubic_weights_0(share_5.y);
+    if(is_inside_0(vec2<i32>(floor(at_20))))
+    {
+        (*shown_0) = shown_at_0(vec2<i32>(corner_10), across_2, down_2);
+    }
+    var _S184 : vec2<i32> = vec2<i32>(corner_10);
     var lit_5 : Lit_0;
-    var _S181 : bool = cubic_0(wanted_5, _S180, share_5, &(lit_5));
-    if(_S181)
+    var _S185 : bool = cubic_0(wanted_5, _S184, across_2, down_2, &(lit_5));
+    if(_S185)
     {
         return lit_5;
     }
-    var _S182 : bool = linear_mean_0(wanted_5, _S180, share_5, &(lit_5));
-    if(!_S182)
+    var _S186 : bool = linear_mean_0(wanted_5, _S184, share_5, &(lit_5));
+    if(!_S186)
     {
         lit_5 = nearest_0(wanted_5, at_20);
     }
@@ -2240,8 +2288,8 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>) -> Lit_0
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S183 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S183), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S183);
+    var _S187 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S187), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S187);
 }
 
 fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
@@ -2252,12 +2300,12 @@ fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
     return vec3<u32>(first_1, halves_0(last_0, beyond_0.x), halves_0(beyond_0.y, beyond_0.z));
 }
 
-fn store_known_0( index_24 : u32,  lit_7 : Lit_0)
+fn store_known_0( index_24 : u32,  lit_7 : Lit_0,  shown_1 : u32)
 {
     var words_3 : vec3<u32> = words_of_0(lit_7);
     set_scratch_row_0(u32(7), index_24, vec2<u32>(halves_0(lit_7.light_10.x, lit_7.light_10.y), halves_0(lit_7.light_10.z, lit_7.paths_1)));
     set_scratch_row_0(u32(8), index_24, words_3.xy);
-    set_scratch_row_0(u32(9), index_24, vec2<u32>(words_3.z, u32(0)));
+    set_scratch_row_0(u32(9), index_24, vec2<u32>(words_3.z, shown_1));
     return;
 }
 
@@ -2266,44 +2314,48 @@ fn store_known_0( index_24 : u32,  lit_7 : Lit_0)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S184 : vec2<i32> = vec2<i32>(at_21);
-    if(is_inside_0(_S184))
+    var _S188 : vec2<i32> = vec2<i32>(at_21);
+    if(is_inside_0(_S188))
     {
-        store_known_0(index_of_0(at_21), lit_before_0(sample_at_0(_S184), at_21));
+        var shown_2 : u32;
+        var lit_8 : Lit_0 = lit_before_0(sample_at_0(_S188), at_21, &(shown_2));
+        store_known_0(index_of_0(at_21), lit_8, shown_2);
     }
     return;
 }
 
 struct Memory_0
 {
-     lit_8 : Lit_0,
+     lit_9 : Lit_0,
      looks_0 : f32,
      direct_2 : vec3<f32>,
      albedo_2 : vec3<f32>,
      normal_7 : vec3<f32>,
-     place_10 : vec3<f32>,
+     place_11 : vec3<f32>,
      roughness_0 : f32,
      coverage_0 : f32,
+     shown_3 : u32,
 };
 
-fn Memory_x24init_0( lit_9 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_11 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32) -> Memory_0
+fn Memory_x24init_0( lit_10 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_12 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32,  shown_4 : u32) -> Memory_0
 {
-    var _S185 : Memory_0;
-    _S185.lit_8 = lit_9;
-    _S185.looks_0 = looks_1;
-    _S185.direct_2 = direct_3;
-    _S185.albedo_2 = albedo_3;
-    _S185.normal_7 = normal_8;
-    _S185.place_10 = place_11;
-    _S185.roughness_0 = roughness_1;
-    _S185.coverage_0 = coverage_1;
-    return _S185;
+    var _S189 : Memory_0;
+    _S189.lit_9 = lit_10;
+    _S189.looks_0 = looks_1;
+    _S189.direct_2 = direct_3;
+    _S189.albedo_2 = albedo_3;
+    _S189.normal_7 = normal_8;
+    _S189.place_11 = place_12;
+    _S189.roughness_0 = roughness_1;
+    _S189.coverage_0 = coverage_1;
+    _S189.shown_3 = shown_4;
+    return _S189;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S186 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S186, _S186, _S186, _S186, 0.0f, 0.0f);
+    var _S190 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S190, _S190, _S190, _S190, 0.0f, 0.0f, u32(0));
 }
 
 fn load_memory_0( index_25 : u32) -> Memory_0
@@ -2312,18 +2364,19 @@ fn load_memory_0( index_25 : u32) -> Memory_0
     var shaded_4 : vec4<u32> = memory_row_0(u32(1), index_25);
     var seen_0 : vec4<u32> = memory_row_0(u32(3), index_25);
     var memory_0 : Memory_0;
-    memory_0.lit_8 = load_lit_0(index_25);
+    memory_0.lit_9 = load_lit_0(index_25);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S187 : u32 = seen_0.x;
-    var _S188 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S187), high_half_0(_S187), low_half_0(_S188));
-    var _S189 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S188), low_half_0(_S189), high_half_0(_S189));
+    var _S191 : u32 = seen_0.x;
+    var _S192 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S191), high_half_0(_S191), low_half_0(_S192));
+    var _S193 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S192), low_half_0(_S193), high_half_0(_S193));
     memory_0.normal_7 = normal_in_0(surface_3.w);
-    memory_0.place_10 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S190 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S190);
-    memory_0.coverage_0 = low_half_0(_S190);
+    memory_0.place_11 = (bitcast<vec3<f32>>((surface_3.xyz)));
+    var _S194 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S194);
+    memory_0.coverage_0 = low_half_0(_S194);
+    memory_0.shown_3 = seen_0.w;
     return memory_0;
 }
 
@@ -2338,9 +2391,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_26 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_26);
-    var _S191 : u32 = light_14.y;
-    var _S192 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S191), vec3<f32>(low_half_0(_S192), high_half_0(_S192), low_half_0(_S191)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
+    var _S195 : u32 = light_14.y;
+    var _S196 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S195), vec3<f32>(low_half_0(_S196), high_half_0(_S196), low_half_0(_S195)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
 }
 
 fn memory_before_0( index_27 : u32) -> Memory_0
@@ -2359,7 +2412,8 @@ fn memory_before_0( index_27 : u32) -> Memory_0
         }
         return memory_1;
     }
-    memory_1.lit_8 = load_known_0(index_27);
+    memory_1.lit_9 = load_known_0(index_27);
+    memory_1.shown_3 = scratch_row_0(u32(9), index_27).y;
     return memory_1;
 }
 
@@ -2375,12 +2429,12 @@ fn in_ten_bits_0( normal_10 : vec3<f32>) -> vec3<f32>
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 {
-    var _S193 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S193;
-    var share_6 : f32 = 1.0f / _S193;
-    var _S194 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S194;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S194;
+    var _S197 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S197;
+    var share_6 : f32 = 1.0f / _S197;
+    var _S198 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S198;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S198;
     if(!sample_3.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2389,10 +2443,10 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     var covered_0 : f32 = (*this_11).coverage_0 * ((*this_11).looks_0 - 1.0f) + 1.0f;
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
-    var before_2 : vec3<f32> = (*this_11).place_10;
-    var _S195 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S195);
-    (*this_11).place_10 = (*this_11).place_10 + (sample_3.place_1 - (*this_11).place_10) * _S195;
+    var before_2 : vec3<f32> = (*this_11).place_11;
+    var _S199 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S199);
+    (*this_11).place_11 = (*this_11).place_11 + (sample_3.place_1 - (*this_11).place_11) * _S199;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
@@ -2403,50 +2457,50 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S196 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S196;
+    var _S200 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S200;
     var l_1 : f32 = luminance_0(found_1);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S197 : vec3<f32> = vec3<f32>((1.0f / _S196));
-    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S197;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S197;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S197;
+    var _S201 : vec3<f32> = vec3<f32>((1.0f / _S200));
+    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S201;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S201;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S201;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_4);
-    var _S198 : Lit_0 = (*this_13).lit_8;
-    Lit_add_0(&(_S198), sample_4.light_8, sample_4.albedo_0, most_1);
-    (*this_13).lit_8 = _S198;
+    var _S202 : Lit_0 = (*this_13).lit_9;
+    Lit_add_0(&(_S202), sample_4.light_8, sample_4.albedo_0, most_1);
+    (*this_13).lit_9 = _S202;
     return;
 }
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S199 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
-    return (((((u32(_S199.x) & (u32(1023)))) | (((((u32(_S199.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S199.z) & (u32(1023)))) << (u32(20))))));
+    var _S203 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
+    return (((((u32(_S203.x) & (u32(1023)))) | (((((u32(_S203.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S203.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
-    var words_4 : vec3<u32> = words_of_0(memory_2.lit_8);
-    var _S200 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S201 : u32;
+    var words_4 : vec3<u32> = words_of_0(memory_2.lit_9);
+    var _S204 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S205 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S201 = u32(1073741824);
+        _S205 = u32(1073741824);
     }
     else
     {
-        _S201 = u32(0);
+        _S205 = u32(0);
     }
-    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S200 | (_S201)));
-    memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_8.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_8.light_10))), words_4.z);
-    memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), u32(0));
+    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S204 | (_S205)));
+    memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_9.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_9.light_10))), words_4.z);
+    memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_3);
     return;
 }
 
@@ -2455,30 +2509,30 @@ fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_22 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S202 : vec2<i32> = vec2<i32>(at_22);
-    var _S203 : bool;
-    if(is_inside_0(_S202))
+    var _S206 : vec2<i32> = vec2<i32>(at_22);
+    var _S207 : bool;
+    if(is_inside_0(_S206))
     {
-        _S203 = !traces_0(_S202);
+        _S207 = !traces_0(_S206);
     }
     else
     {
-        _S203 = false;
+        _S207 = false;
     }
-    if(_S203)
+    if(_S207)
     {
         var index_29 : u32 = index_of_0(at_22);
         var memory_3 : Memory_0 = memory_before_0(index_29);
-        var is_lit_0 : bool = (memory_3.lit_8.paths_1) > 0.0f;
+        var is_lit_0 : bool = (memory_3.lit_9.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S203 = true;
+            _S207 = true;
         }
         else
         {
-            _S203 = !has_0(u32(8));
+            _S207 = !has_0(u32(8));
         }
-        if(_S203)
+        if(_S207)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2490,7 +2544,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S202 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S206 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2513,14 +2567,14 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
     return;
 }
 
-fn sum_7( channels_0 : vec3<f32>) -> f32
+fn sum_9( channels_0 : vec3<f32>) -> f32
 {
     return channels_0.x + channels_0.y + channels_0.z;
 }
 
 fn Lit_irradiance_0( this_14 : Lit_0) -> vec3<f32>
 {
-    return (this_14.light_10 + vec3<f32>((0.00300000002607703f * sum_7(this_14.light_10) / max(sum_7(this_14.shaded_1), 0.00030000001424924f)))) / (this_14.shaded_1 + vec3<f32>(0.00300000002607703f));
+    return (this_14.light_10 + vec3<f32>((0.00300000002607703f * sum_9(this_14.light_10) / max(sum_9(this_14.shaded_1), 0.00030000001424924f)))) / (this_14.shaded_1 + vec3<f32>(0.00300000002607703f));
 }
 
 fn Lit_variance_0( this_15 : Lit_0) -> f32
@@ -2533,7 +2587,7 @@ fn Lit_variance_0( this_15 : Lit_0) -> f32
 fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
 {
     var dy_7 : i32 = i32(-3);
-    var sum_8 : f32 = 0.0f;
+    var sum_10 : f32 = 0.0f;
     var squares_2 : f32 = 0.0f;
     var weights_16 : f32 = 0.0f;
     for(;;)
@@ -2546,7 +2600,7 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
             break;
         }
         var dx_7 : i32 = i32(-3);
-        var sum_9 : f32 = sum_8;
+        var sum_11 : f32 = sum_10;
         var squares_3 : f32 = squares_2;
         var weights_17 : f32 = weights_16;
         for(;;)
@@ -2567,34 +2621,34 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_30 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_30);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
-            var _S204 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S204 * light_15;
+            var _S208 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S208 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_9 = sum_9 + _S204;
+            sum_11 = sum_11 + _S208;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
         }
         dy_7 = dy_7 + i32(1);
-        sum_8 = sum_9;
+        sum_10 = sum_11;
         squares_2 = squares_3;
         weights_16 = weights_17;
     }
     var scale_2 : f32 = 1.0f / max(weights_16, 9.99999968265522539e-21f);
-    return max(squares_2 * scale_2 - sum_8 * scale_2 * sum_8 * scale_2, 0.0f);
+    return max(squares_2 * scale_2 - sum_10 * scale_2 * sum_10 * scale_2, 0.0f);
 }
 
 fn begin_filter_0( at_24 : vec2<i32>)
 {
     var index_31 : u32 = index_of_0(vec2<u32>(at_24));
-    var lit_10 : Lit_0 = load_lit_0(index_31);
-    var color_17 : vec3<f32> = Lit_irradiance_0(lit_10);
-    var own_6 : f32 = Lit_variance_0(lit_10);
+    var lit_11 : Lit_0 = load_lit_0(index_31);
+    var color_18 : vec3<f32> = Lit_irradiance_0(lit_11);
+    var own_6 : f32 = Lit_variance_0(lit_11);
     var own_7 : f32;
-    if((lit_10.paths_1) < 3.5f)
+    if((lit_11.paths_1) < 3.5f)
     {
         var around_0 : f32 = variance_around_0(at_24, center_of_0(index_31));
-        if((lit_10.paths_1) < 1.5f)
+        if((lit_11.paths_1) < 1.5f)
         {
             own_7 = around_0;
         }
@@ -2607,8 +2661,8 @@ fn begin_filter_0( at_24 : vec2<i32>)
     {
         own_7 = own_6;
     }
-    set_color_0(u32(0), index_31, vec4<f32>(color_17, 0.0f));
-    set_numbers_0(u32(4), index_31, vec2<f32>(own_7, luminance_0(color_17)));
+    set_color_0(u32(0), index_31, vec4<f32>(color_18, 0.0f));
+    set_numbers_0(u32(4), index_31, vec2<f32>(own_7, luminance_0(color_18)));
     return;
 }
 
@@ -2616,21 +2670,21 @@ fn begin_filter_0( at_24 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S205 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S206 : vec2<i32> = vec2<i32>(_S205);
-    if(is_inside_0(_S206))
+    var _S209 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S210 : vec2<i32> = vec2<i32>(_S209);
+    if(is_inside_0(_S210))
     {
-        begin_filter_0(_S206);
+        begin_filter_0(_S210);
     }
     return;
 }
 
 fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_4 : i32) -> vec2<f32>
 {
-    var _S207 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
-    var _S208 : vec2<f32> = vec2<f32>(0.0f);
+    var _S211 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
+    var _S212 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_10 : vec2<f32> = _S208;
+    var sum_12 : vec2<f32> = _S212;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2642,7 +2696,7 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_4 : i32) -> vec2<f32>
             break;
         }
         var dx_8 : i32 = i32(-2);
-        var sum_11 : vec2<f32> = sum_10;
+        var sum_13 : vec2<f32> = sum_12;
         var weights_20 : f32 = weights_19;
         for(;;)
         {
@@ -2653,25 +2707,25 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_4 : i32) -> vec2<f32>
             {
                 break;
             }
-            var _S209 : vec2<i32> = vec2<i32>(dx_8, dy_8);
-            var other_10 : vec2<i32> = at_25 + _S209 * vec2<i32>(step_4);
+            var _S213 : vec2<i32> = vec2<i32>(dx_8, dy_8);
+            var other_10 : vec2<i32> = at_25 + _S213 * vec2<i32>(step_4);
             if(!is_inside_0(other_10))
             {
                 dx_8 = dx_8 + i32(1);
                 continue;
             }
             var index_32 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = spline_0(_S209) * Center_alike_0(_S207, index_32);
+            var weight_8 : f32 = spline_0(_S213) * Center_alike_0(_S211, index_32);
             var weights_21 : f32 = weights_20 + weight_8;
-            sum_11 = sum_11 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
+            sum_13 = sum_13 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
             weights_20 = weights_21;
             dx_8 = dx_8 + i32(1);
         }
         dy_8 = dy_8 + i32(1);
-        sum_10 = sum_11;
+        sum_12 = sum_13;
         weights_19 = weights_20;
     }
-    return sum_10 / vec2<f32>(max(weights_19, 9.99999968265522539e-21f));
+    return sum_12 / vec2<f32>(max(weights_19, 9.99999968265522539e-21f));
 }
 
 fn compare_around_0( at_26 : vec2<i32>)
@@ -2687,11 +2741,11 @@ fn compare_around_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S210 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S211 : vec2<i32> = vec2<i32>(_S210);
-    if(is_inside_0(_S211))
+    var _S214 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S215 : vec2<i32> = vec2<i32>(_S214);
+    if(is_inside_0(_S215))
     {
-        compare_around_0(_S211);
+        compare_around_0(_S215);
     }
     return;
 }
@@ -2700,12 +2754,12 @@ fn estimate_noise_0( at_27 : vec2<i32>)
 {
     var index_34 : u32 = index_of_0(vec2<u32>(at_27));
     var own_8 : f32 = numbers_0(u32(4), index_34).x;
-    var color_18 : vec4<f32> = color_in_0(u32(0), index_34);
-    color_18[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
-    set_color_0(u32(0), index_34, color_18);
-    var _S212 : vec2<f32> = vec2<f32>(0.0f);
+    var color_19 : vec4<f32> = color_in_0(u32(0), index_34);
+    color_19[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
+    set_color_0(u32(0), index_34, color_19);
+    var _S216 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_12 : vec2<f32> = _S212;
+    var sum_14 : vec2<f32> = _S216;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2724,11 +2778,11 @@ fn estimate_noise_0( at_27 : vec2<i32>)
         }
         var beside_7 : u32 = index_of_0(vec2<u32>(other_11));
         var count_10 : f32 = count_9 + 1.0f;
-        sum_12 = sum_12 + vec2<f32>(numbers_0(u32(5), beside_7).y, numbers_0(u32(4), beside_7).x);
+        sum_14 = sum_14 + vec2<f32>(numbers_0(u32(5), beside_7).y, numbers_0(u32(4), beside_7).x);
         count_9 = count_10;
         dx_9 = dx_9 + i32(1);
     }
-    set_numbers_0(u32(3), index_34, sum_12 / vec2<f32>(count_9));
+    set_numbers_0(u32(3), index_34, sum_14 / vec2<f32>(count_9));
     return;
 }
 
@@ -2736,11 +2790,11 @@ fn estimate_noise_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S213 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S214 : vec2<i32> = vec2<i32>(_S213);
-    if(is_inside_0(_S214))
+    var _S217 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S218 : vec2<i32> = vec2<i32>(_S217);
+    if(is_inside_0(_S218))
     {
-        estimate_noise_0(_S214);
+        estimate_noise_0(_S218);
     }
     return;
 }
@@ -2758,11 +2812,11 @@ fn set_tolerance_0( at_28 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S215 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S216 : vec2<i32> = vec2<i32>(_S215);
-    if(is_inside_0(_S216))
+    var _S219 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S220 : vec2<i32> = vec2<i32>(_S219);
+    if(is_inside_0(_S220))
     {
-        set_tolerance_0(_S216);
+        set_tolerance_0(_S220);
     }
     return;
 }
@@ -2771,11 +2825,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S217 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S218 : vec2<i32> = vec2<i32>(_S217);
-    if(is_inside_0(_S218))
+    var _S221 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S222 : vec2<i32> = vec2<i32>(_S221);
+    if(is_inside_0(_S222))
     {
-        smooth_light_4(_S218);
+        smooth_light_4(_S222);
     }
     return;
 }
@@ -2784,11 +2838,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S219 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S220 : vec2<i32> = vec2<i32>(_S219);
-    if(is_inside_0(_S220))
+    var _S223 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S224 : vec2<i32> = vec2<i32>(_S223);
+    if(is_inside_0(_S224))
     {
-        smooth_light_3(_S220);
+        smooth_light_3(_S224);
     }
     return;
 }
@@ -2797,11 +2851,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S221 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S222 : vec2<i32> = vec2<i32>(_S221);
-    if(is_inside_0(_S222))
+    var _S225 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S226 : vec2<i32> = vec2<i32>(_S225);
+    if(is_inside_0(_S226))
     {
-        smooth_light_2(_S222);
+        smooth_light_2(_S226);
     }
     return;
 }
@@ -2810,11 +2864,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S223 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S224 : vec2<i32> = vec2<i32>(_S223);
-    if(is_inside_0(_S224))
+    var _S227 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S228 : vec2<i32> = vec2<i32>(_S227);
+    if(is_inside_0(_S228))
     {
-        smooth_light_1(_S224);
+        smooth_light_1(_S228);
     }
     return;
 }
@@ -2823,11 +2877,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S225 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S226 : vec2<i32> = vec2<i32>(_S225);
-    if(is_inside_0(_S226))
+    var _S229 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S230 : vec2<i32> = vec2<i32>(_S229);
+    if(is_inside_0(_S230))
     {
-        smooth_light_0(_S226);
+        smooth_light_0(_S230);
     }
     return;
 }
@@ -2836,11 +2890,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S227 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S228 : vec2<i32> = vec2<i32>(_S227);
-    if(is_inside_0(_S228))
+    var _S231 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S232 : vec2<i32> = vec2<i32>(_S231);
+    if(is_inside_0(_S232))
     {
-        end_levels_0(_S228);
+        end_levels_0(_S232);
     }
     return;
 }
@@ -2849,24 +2903,101 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S229 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S230 : vec2<i32> = vec2<i32>(_S229);
-    if(is_inside_0(_S230))
+    var _S233 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S234 : vec2<i32> = vec2<i32>(_S233);
+    if(is_inside_0(_S234))
     {
-        compare_across_0(_S230);
+        compare_across_0(_S234);
     }
     return;
 }
 
 fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
 {
-    var shown_0 : vec3<f32> = irradiance_0 * (memory_4.albedo_2 + vec3<f32>(0.00300000002607703f));
-    var shown_1 : vec3<f32> = shown_0 - vec3<f32>((0.00300000002607703f * sum_7(shown_0) / (max(sum_7(memory_4.albedo_2), 0.00030000001424924f) + 0.00899999961256981f)));
+    var shown_5 : vec3<f32> = irradiance_0 * (memory_4.albedo_2 + vec3<f32>(0.00300000002607703f));
+    var shown_6 : vec3<f32> = shown_5 - vec3<f32>((0.00300000002607703f * sum_9(shown_5) / (max(sum_9(memory_4.albedo_2), 0.00030000001424924f) + 0.00899999961256981f)));
     if((memory_4.coverage_0) > 0.0f)
     {
-        return max(memory_4.direct_2 + shown_1, vec3<f32>(0.0f));
+        return max(memory_4.direct_2 + shown_6, vec3<f32>(0.0f));
     }
-    return memory_4.direct_2 + memory_4.lit_8.light_10;
+    return memory_4.direct_2 + memory_4.lit_9.light_10;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn filter_picture(@builtin(global_invocation_id) id_17 : vec3<u32>)
+{
+    var _S235 : vec2<u32> = pixel_of_thread_0(id_17.x);
+    var _S236 : vec2<i32> = vec2<i32>(_S235);
+    if(is_inside_0(_S236))
+    {
+        var index_36 : u32 = index_of_0(vec2<u32>(_S236));
+        var memory_5 : Memory_0 = load_memory_0(index_36);
+        set_color_0(u32(2), index_36, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S236, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
+    }
+    return;
+}
+
+fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
+{
+    var _S237 : f32 = color_20.x;
+    var _S238 : f32 = 0.5f * color_20.y;
+    var _S239 : f32 = color_20.z;
+    return vec3<f32>(0.25f * _S237 + _S238 + 0.25f * _S239, 0.5f * (_S237 - _S239), _S238 - 0.25f * (_S237 + _S239));
+}
+
+fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
+{
+    var now_1 : vec3<f32> = color_in_0(u32(2), index_of_0(vec2<u32>(at_29))).xyz;
+    var _S240 : bool;
+    if(word_6 == u32(0))
+    {
+        _S240 = true;
+    }
+    else
+    {
+        _S240 = (real_time_0.share_0) >= 1.0f;
+    }
+    if(_S240)
+    {
+        return now_1;
+    }
+    var _S241 : vec3<f32> = vec3<f32>(0.0f);
+    var place_13 : i32 = i32(0);
+    var sum_15 : vec3<f32> = _S241;
+    var squares_5 : vec3<f32> = _S241;
+    var count_11 : f32 = 0.0f;
+    for(;;)
+    {
+        if(place_13 < i32(9))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var other_12 : vec2<i32> = at_29 + vec2<i32>(place_13 % i32(3), place_13 / i32(3)) - vec2<i32>(i32(1));
+        if(!is_inside_0(other_12))
+        {
+            place_13 = place_13 + i32(1);
+            continue;
+        }
+        var color_21 : vec3<f32> = ycocg_0(color_in_0(u32(2), index_of_0(vec2<u32>(other_12))).xyz);
+        var squares_6 : vec3<f32> = squares_5 + color_21 * color_21;
+        var count_12 : f32 = count_11 + 1.0f;
+        sum_15 = sum_15 + color_21;
+        squares_5 = squares_6;
+        count_11 = count_12;
+        place_13 = place_13 + i32(1);
+    }
+    var mean_2 : vec3<f32> = sum_15 / vec3<f32>(count_11);
+    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S241));
+    var shown_7 : vec3<f32> = clamp(ycocg_0(shown_in_0(word_6)), mean_2 - reach_2, mean_2 + reach_2);
+    var shown_8 : vec3<f32> = shown_7 + (ycocg_0(now_1) - shown_7) * vec3<f32>(real_time_0.share_0);
+    var _S242 : f32 = shown_8.x;
+    var _S243 : f32 = shown_8.y;
+    var _S244 : f32 = shown_8.z;
+    return max(vec3<f32>(_S242 + _S243 - _S244, _S242 + _S244, _S242 - _S243 - _S244), _S241);
 }
 
 fn half_of_0( value_4 : f32) -> u32
@@ -2895,35 +3026,34 @@ fn half_of_0( value_4 : f32) -> u32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn show_picture(@builtin(global_invocation_id) id_17 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
+fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S231 : u32 = id_17.x;
-    var _S232 : vec2<u32> = pixel_of_thread_0(_S231);
-    var _S233 : vec2<i32> = vec2<i32>(_S232);
-    if(is_inside_0(_S233))
+    var _S245 : u32 = id_18.x;
+    var _S246 : vec2<u32> = pixel_of_thread_0(_S245);
+    var _S247 : vec2<i32> = vec2<i32>(_S246);
+    if(is_inside_0(_S247))
     {
-        var index_36 : u32 = index_of_0(vec2<u32>(_S233));
-        var memory_5 : Memory_0 = load_memory_0(index_36);
-        var light_16 : vec3<f32> = Lit_irradiance_0(memory_5.lit_8);
-        var light_17 : vec3<f32>;
+        var index_37 : u32 = index_of_0(vec2<u32>(_S247));
+        var memory_6 : Memory_0 = load_memory_0(index_37);
+        var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            light_17 = trusted_light_0(_S233, light_16);
+            radiance_0 = antialiased_0(_S247, memory_6.shown_3);
         }
         else
         {
-            light_17 = light_16;
+            radiance_0 = radiance_of_0(memory_6, Lit_irradiance_0(memory_6.lit_9));
         }
-        var radiance_0 : vec3<f32> = radiance_of_0(memory_5, light_17);
-        picture_0[index_36] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((half_of_0(memory_5.coverage_0)) << (u32(16)))))));
+        memory_rows_0[u32(3) * real_time_0.pixels_0 + index_37][i32(3)] = word_of_0(radiance_0);
+        picture_0[index_37] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((half_of_0(memory_6.coverage_0)) << (u32(16)))))));
     }
     if(thread_1 == u32(0))
     {
-        if(_S231 == u32(0))
+        if(_S245 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S234 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S248 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

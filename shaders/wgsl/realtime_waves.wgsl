@@ -26,7 +26,8 @@ struct RealTimeParams_std140_0
     @align(4) again_0 : u32,
     @align(16) exposure_0 : f32,
     @align(4) curve_0 : u32,
-    @align(8) padding_0 : vec2<u32>,
+    @align(8) share_0 : f32,
+    @align(4) padding_0 : u32,
 };
 
 @binding(24) @group(0) var<uniform> real_time_0 : RealTimeParams_std140_0;
@@ -4046,7 +4047,7 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     var total_5 : f32 = sum_3 * unit_1;
     var _S273 : f32 = way_4.choice_0 * total_5;
     var _S274 : u32 = (*side_0);
-    var share_0 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_1);
+    var share_1 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_1);
     var _S275 : bool;
     if(is_met_2)
     {
@@ -4054,27 +4055,27 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     }
     else
     {
-        _S275 = share_0 > 0.0f;
+        _S275 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
     if(_S275)
     {
         (*side_0) = u32(0);
-        chosen_2 = share_0;
+        chosen_2 = share_1;
     }
     else
     {
         chosen_2 = 0.0f;
     }
-    var _S276 : bool = _S273 < (share_0 * way_4.weight_0);
-    var share_1 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
+    var _S276 : bool = _S273 < (share_1 * way_4.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
         _S275 = u32(1) == _S274;
     }
     else
     {
-        if(share_1 > 0.0f)
+        if(share_2 > 0.0f)
         {
             _S275 = !_S276;
         }
@@ -4086,9 +4087,9 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     if(_S275)
     {
         (*side_0) = u32(1);
-        chosen_2 = share_1;
+        chosen_2 = share_2;
     }
-    var passed_0 : f32 = share_0 + share_1;
+    var passed_0 : f32 = share_1 + share_2;
     if(_S276)
     {
         _S275 = true;
@@ -4097,41 +4098,11 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         _S275 = _S273 < (passed_0 * way_4.weight_0);
     }
-    var share_2 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_1);
+    var share_3 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_1);
     var _S277 : bool;
     if(is_met_2)
     {
         _S277 = u32(2) == _S274;
-    }
-    else
-    {
-        if(share_2 > 0.0f)
-        {
-            _S277 = !_S275;
-        }
-        else
-        {
-            _S277 = false;
-        }
-    }
-    if(_S277)
-    {
-        (*side_0) = u32(2);
-        chosen_2 = share_2;
-    }
-    var passed_1 : f32 = passed_0 + share_2;
-    if(_S275)
-    {
-        _S275 = true;
-    }
-    else
-    {
-        _S275 = _S273 < (passed_1 * way_4.weight_0);
-    }
-    var share_3 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
-    if(is_met_2)
-    {
-        _S277 = u32(3) == _S274;
     }
     else
     {
@@ -4146,22 +4117,22 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     }
     if(_S277)
     {
-        (*side_0) = u32(3);
+        (*side_0) = u32(2);
         chosen_2 = share_3;
     }
-    var passed_2 : f32 = passed_1 + share_3;
+    var passed_1 : f32 = passed_0 + share_3;
     if(_S275)
     {
         _S275 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_2 * way_4.weight_0);
+        _S275 = _S273 < (passed_1 * way_4.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S277 = u32(4) == _S274;
+        _S277 = u32(3) == _S274;
     }
     else
     {
@@ -4176,10 +4147,40 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     }
     if(_S277)
     {
-        (*side_0) = u32(4);
+        (*side_0) = u32(3);
         chosen_2 = share_4;
     }
-    var passed_3 : f32 = passed_2 + share_4;
+    var passed_2 : f32 = passed_1 + share_4;
+    if(_S275)
+    {
+        _S275 = true;
+    }
+    else
+    {
+        _S275 = _S273 < (passed_2 * way_4.weight_0);
+    }
+    var share_5 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_1);
+    if(is_met_2)
+    {
+        _S277 = u32(4) == _S274;
+    }
+    else
+    {
+        if(share_5 > 0.0f)
+        {
+            _S277 = !_S275;
+        }
+        else
+        {
+            _S277 = false;
+        }
+    }
+    if(_S277)
+    {
+        (*side_0) = u32(4);
+        chosen_2 = share_5;
+    }
+    var passed_3 : f32 = passed_2 + share_5;
     if(_S275)
     {
         _S275 = true;
@@ -4188,14 +4189,14 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         _S275 = _S273 < (passed_3 * way_4.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
         _S275 = u32(5) == _S274;
     }
     else
     {
-        if(share_5 > 0.0f)
+        if(share_6 > 0.0f)
         {
             _S275 = !_S275;
         }
@@ -4207,7 +4208,7 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     if(_S275)
     {
         (*side_0) = u32(5);
-        chosen_2 = share_5;
+        chosen_2 = share_6;
     }
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
@@ -4259,10 +4260,10 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
     }
     var distance_squared_0 : f32 = length_squared_0(toward_2);
     var unit_2 : f32 = inverse_power_of_two_0(power_4);
-    var share_6 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
+    var share_7 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
     if(in_front_0 > 0.0f)
     {
-        in_front_0 = divide_0(share_6, odds_1.y * (power_4 * unit_2) * in_front_0);
+        in_front_0 = divide_0(share_7, odds_1.y * (power_4 * unit_2) * in_front_0);
     }
     else
     {
@@ -6044,7 +6045,7 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     var total_9 : f32 = sum_6 * unit_3;
     var _S407 : f32 = way_6.choice_0 * total_9;
     var _S408 : u32 = (*side_4);
-    var share_7 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
+    var share_8 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
     var _S409 : bool;
     if(is_met_3)
     {
@@ -6052,27 +6053,27 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     }
     else
     {
-        _S409 = share_7 > 0.0f;
+        _S409 = share_8 > 0.0f;
     }
     var chosen_8 : f32;
     if(_S409)
     {
         (*side_4) = u32(0);
-        chosen_8 = share_7;
+        chosen_8 = share_8;
     }
     else
     {
         chosen_8 = 0.0f;
     }
-    var _S410 : bool = _S407 < (share_7 * way_6.weight_0);
-    var share_8 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
+    var _S410 : bool = _S407 < (share_8 * way_6.weight_0);
+    var share_9 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
         _S409 = u32(1) == _S408;
     }
     else
     {
-        if(share_8 > 0.0f)
+        if(share_9 > 0.0f)
         {
             _S409 = !_S410;
         }
@@ -6084,9 +6085,9 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     if(_S409)
     {
         (*side_4) = u32(1);
-        chosen_8 = share_8;
+        chosen_8 = share_9;
     }
-    var passed_4 : f32 = share_7 + share_8;
+    var passed_4 : f32 = share_8 + share_9;
     if(_S410)
     {
         _S409 = true;
@@ -6095,41 +6096,11 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         _S409 = _S407 < (passed_4 * way_6.weight_0);
     }
-    var share_9 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
+    var share_10 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
     var _S411 : bool;
     if(is_met_3)
     {
         _S411 = u32(2) == _S408;
-    }
-    else
-    {
-        if(share_9 > 0.0f)
-        {
-            _S411 = !_S409;
-        }
-        else
-        {
-            _S411 = false;
-        }
-    }
-    if(_S411)
-    {
-        (*side_4) = u32(2);
-        chosen_8 = share_9;
-    }
-    var passed_5 : f32 = passed_4 + share_9;
-    if(_S409)
-    {
-        _S409 = true;
-    }
-    else
-    {
-        _S409 = _S407 < (passed_5 * way_6.weight_0);
-    }
-    var share_10 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
-    if(is_met_3)
-    {
-        _S411 = u32(3) == _S408;
     }
     else
     {
@@ -6144,22 +6115,22 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     }
     if(_S411)
     {
-        (*side_4) = u32(3);
+        (*side_4) = u32(2);
         chosen_8 = share_10;
     }
-    var passed_6 : f32 = passed_5 + share_10;
+    var passed_5 : f32 = passed_4 + share_10;
     if(_S409)
     {
         _S409 = true;
     }
     else
     {
-        _S409 = _S407 < (passed_6 * way_6.weight_0);
+        _S409 = _S407 < (passed_5 * way_6.weight_0);
     }
-    var share_11 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
+    var share_11 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S411 = u32(4) == _S408;
+        _S411 = u32(3) == _S408;
     }
     else
     {
@@ -6174,10 +6145,40 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     }
     if(_S411)
     {
-        (*side_4) = u32(4);
+        (*side_4) = u32(3);
         chosen_8 = share_11;
     }
-    var passed_7 : f32 = passed_6 + share_11;
+    var passed_6 : f32 = passed_5 + share_11;
+    if(_S409)
+    {
+        _S409 = true;
+    }
+    else
+    {
+        _S409 = _S407 < (passed_6 * way_6.weight_0);
+    }
+    var share_12 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S411 = u32(4) == _S408;
+    }
+    else
+    {
+        if(share_12 > 0.0f)
+        {
+            _S411 = !_S409;
+        }
+        else
+        {
+            _S411 = false;
+        }
+    }
+    if(_S411)
+    {
+        (*side_4) = u32(4);
+        chosen_8 = share_12;
+    }
+    var passed_7 : f32 = passed_6 + share_12;
     if(_S409)
     {
         _S409 = true;
@@ -6186,14 +6187,14 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         _S409 = _S407 < (passed_7 * way_6.weight_0);
     }
-    var share_12 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
+    var share_13 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
         _S409 = u32(5) == _S408;
     }
     else
     {
-        if(share_12 > 0.0f)
+        if(share_13 > 0.0f)
         {
             _S409 = !_S409;
         }
@@ -6205,7 +6206,7 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     if(_S409)
     {
         (*side_4) = u32(5);
-        chosen_8 = share_12;
+        chosen_8 = share_13;
     }
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
@@ -8118,12 +8119,12 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var count_9 : f32 = f32(blades_5);
     var scaled_0 : f32 = radius_turns_0.y * count_9;
     var blade_0 : f32 = f32(min(u32(scaled_0), blades_5 - u32(1)));
-    var share_13 : f32 = scaled_0 - blade_0;
+    var share_14 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
     var _S551 : f32 = from_0.y;
     var _S552 : f32 = from_0.x;
-    return vec2<f32>(_S551 + (to_0.y - _S551) * share_13, _S552 + (to_0.x - _S552) * share_13) * vec2<f32>(radius_6);
+    return vec2<f32>(_S551 + (to_0.y - _S551) * share_14, _S552 + (to_0.x - _S552) * share_14) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0

@@ -26,7 +26,7 @@ FILM = {**dict.fromkeys(SCENE.values(), READ), **dict.fromkeys((10, 15, 22), WRI
 LOOKS = {**dict.fromkeys((22, 26, 25), WRITTEN), **dict.fromkeys((9, 16, 23, 24), UNIFORM)}
 REAL_TIME = {**dict.fromkeys(SCENE.values(), READ), **dict.fromkeys((22, 26, 27), WRITTEN), **dict.fromkeys((9, 16, 23, 24), UNIFORM)}
 PIXELS = {29: READ, **dict.fromkeys((22, 26, 27, 25, 12), WRITTEN), **dict.fromkeys((9, 24), UNIFORM)}
-FILTER = "filter_begin filter_compare filter_noise filter_tolerance filter_level_0 filter_level_1 filter_level_2 filter_level_3 filter_level_4 filter_end filter_across"
+FILTER = "filter_begin filter_compare filter_noise filter_tolerance filter_level_0 filter_level_1 filter_level_2 filter_level_3 filter_level_4 filter_end filter_across filter_picture"
 
 
 class Gpu:

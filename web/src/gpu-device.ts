@@ -36,7 +36,7 @@ export const PIXELS = {
   bindings: { read: { motions: 29 }, written: { paths: 22, scratch: 26, cellKeys: 27, memory: 25, picture: 12 }, uniform: { frame: 9, realTime: 24 } },
   entries: [
     "choose_cells", "end_cells", "reproject", "remember", "filter_begin", "filter_compare", "filter_noise", "filter_tolerance", "filter_level_0", "filter_level_1",
-    "filter_level_2", "filter_level_3", "filter_level_4", "filter_end", "filter_across", "show_picture",
+    "filter_level_2", "filter_level_3", "filter_level_4", "filter_end", "filter_across", "filter_picture", "show_picture",
   ],
   lines: [2, 2],
 } as const;

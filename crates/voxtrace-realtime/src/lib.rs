@@ -23,6 +23,7 @@
 //! # Ok::<(), voxtrace_core::packed::PackError>(())
 //! ```
 
+mod antialiasing;
 mod confidence;
 mod filter;
 mod half_rate;

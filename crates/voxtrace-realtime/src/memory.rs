@@ -42,6 +42,8 @@ pub struct Memory {
     pub moments: Vec3,
     /// Instance of the surface that was seen last.
     pub instance: u32,
+    /// What the frame before showed there, a colour of nine bits a channel and their exponent; 0 where nothing.
+    pub shown: u32,
 }
 
 impl Memory {

@@ -1,6 +1,7 @@
 //! What devices are told of a frame of real-time light: the record that shaders read (`shaders/realtime_frame.slang`), and what a host keeps from frame to
 //! frame to fill it. Vulkan and pages have both from here.
 
+use crate::antialiasing::Rest;
 use crate::confidence::STRIDE;
 use crate::half_rate::Rate;
 use crate::light_cache::LightCache;
@@ -68,8 +69,10 @@ pub struct RealTimeParams {
     pub exposure: f32,
     /// In pages: the number of the tone curve.
     pub curve: u32,
+    /// Share of the newest picture in what is shown.
+    pub share: f32,
     /// Fills up the row of 16 bytes.
-    pub padding: [u32; 2],
+    pub padding: u32,
 }
 
 /// Flags of [`RealTimeParams`].
@@ -111,12 +114,22 @@ pub struct FramesOnDevice {
     cell_samples: f32,
     /// Where instances were at the last frame, where they are elsewhere now.
     transforms: Option<Vec<Transform>>,
+    /// Since something moved.
+    rest: Rest,
 }
 
 impl FramesOnDevice {
     /// Before the first frame.
     pub fn new(parts: Parts) -> Self {
-        Self { parts, number: 0, before: None, has_changed: false, cell_samples: f32::INFINITY, transforms: None }
+        Self {
+            parts,
+            number: 0,
+            before: None,
+            has_changed: false,
+            cell_samples: f32::INFINITY,
+            transforms: None,
+            rest: Rest::LONG,
+        }
     }
 
     /// Voxels, materials or lights of the scene are others now.
@@ -209,7 +222,8 @@ impl FramesOnDevice {
             again: if flags & flag::FINDS_AGAIN != 0 { squares } else { 0 },
             exposure: 1.0,
             curve: 0,
-            padding: [0; 2],
+            share: self.rest_after(frame).share(),
+            padding: 0,
         }
     }
 
@@ -224,8 +238,17 @@ impl FramesOnDevice {
         before.iter().zip(scene.instances()).flat_map(rows).collect()
     }
 
+    /// Since when nothing moves, after the next frame.
+    fn rest_after(&self, frame: &Frame) -> Rest {
+        let before = self.before.as_ref().filter(|before| before.seed == frame.seed);
+        let is_same_view = before.is_some_and(|before| before.camera == frame.camera);
+        let is_in_motion = before.is_some() && !(is_same_view && self.transforms.is_none());
+        self.rest.after(is_in_motion, is_same_view && !self.has_changed)
+    }
+
     /// Ends a frame.
     pub fn end(&mut self, frame: &Frame) {
+        self.rest = self.rest_after(frame);
         self.before = Some(frame.clone());
         (self.transforms, self.has_changed) = (None, false);
         self.cell_samples = f32::INFINITY;

@@ -1,5 +1,6 @@
 //! Frame after frame.
 
+use crate::antialiasing::{Rest, antialiased, word_of};
 use crate::confidence::{Change, Found, paths_left};
 use crate::filter::filter;
 use crate::half_rate::{Rate, Samples};
@@ -87,6 +88,8 @@ pub struct RealTime {
     /// How many there were at the last frame, and whether others stood there since.
     instances: Option<usize>,
     has_other_instances: bool,
+    /// Since something moved.
+    rest: Rest,
 }
 
 /// What is kept of the last frame.
@@ -112,6 +115,7 @@ impl RealTime {
             transforms: None,
             instances: None,
             has_other_instances: false,
+            rest: Rest::LONG,
         }
     }
 
@@ -165,10 +169,16 @@ impl RealTime {
         for _ in 0..self.parts.frames_of_picture(self.before.as_ref().map(|before| &before.frame), frame) {
             self.follow(scene, frame);
         }
-        match self.parts.filter {
-            true => filter(&self.memory, frame.width as usize),
+        let width = frame.width as usize;
+        let mut picture = match self.parts.filter {
+            true => filter(&self.memory, width),
             false => self.memory.par_iter().map(|memory| memory.radiance(memory.irradiance())).collect(),
+        };
+        if self.parts.filter && self.rest.share() < 1.0 {
+            picture = antialiased(&self.memory, &picture, width, self.rest.share());
         }
+        self.memory.par_iter_mut().zip(&picture).for_each(|(memory, color)| memory.shown = word_of(*color));
+        picture
     }
 
     /// Follows the paths of a frame.
@@ -181,14 +191,14 @@ impl RealTime {
         };
         let (samples, asked) = self.trace(&view, frame);
         requests.extend(asked);
-        let memory = self.remember(&view, frame, &samples);
+        let (memory, rest) = self.remember(&view, frame, &samples);
         let found = Found::of(&View { cache: None, ..view }, frame, self.number);
         let scramble = view.scramble;
         self.cache.insert(&requests);
         self.cache.update(&light, scramble);
         let camera = frame.camera.frame(width, height);
         self.before = Some(FrameBefore { frame: frame.clone(), camera, found });
-        (self.memory, self.samples) = (memory, samples);
+        (self.memory, self.samples, self.rest) = (memory, samples, rest);
         (self.transforms, self.has_changed) = (None, false);
         self.number += 1;
     }
@@ -223,8 +233,8 @@ impl RealTime {
         (samples.into_iter().flatten().collect(), requests.into_iter().flatten().collect())
     }
 
-    /// What is known of each pixel now.
-    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> Vec<Memory> {
+    /// What is known of each pixel now, and since when nothing moves.
+    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> (Vec<Memory>, Rest) {
         let before = self.before.as_ref().filter(|before| self.parts.memory && before.frame.seed == frame.seed);
         let is_same_view = before.is_some_and(|before| {
             before.frame.camera == frame.camera
@@ -282,7 +292,8 @@ impl RealTime {
             }
             known
         };
-        (0..samples.samples.len()).into_par_iter().map(pixel).collect()
+        let memory = (0..samples.samples.len()).into_par_iter().map(pixel).collect();
+        (memory, self.rest.after(is_in_motion, is_still))
     }
 
     /// What was known of each pixel of the frame before, less where light changed.

@@ -1,5 +1,6 @@
 //! Where the frame before showed what a pixel shows, and what it knew of it.
 
+use crate::antialiasing::{shown_in, word_of};
 use crate::memory::Memory;
 use crate::path::Sample;
 use glam::{Mat3, Vec2, Vec3};
@@ -67,19 +68,37 @@ impl Before<'_> {
                 memory.coverage > 0.0 && distance <= tolerance && cosine >= LEAST_COSINE * memory.normal.length()
             }
         };
-        self.gather(at, &shows).bounded()
+        let place = Place::at(at);
+        Memory { shown: self.shown_at(&place), ..self.gather(&place, &shows).bounded() }
+    }
+
+    /// What the frame before showed at a place of its picture, by Catmull and Rom's cubic; 0 outside of it, and where it showed nothing.
+    fn shown_at(&self, place: &Place) -> u32 {
+        if place.at.cmplt(Vec2::ZERO).any() || place.at.cmpge(Vec2::from(self.size.map(|length| length as f32))).any() {
+            return 0;
+        }
+        let [right, bottom] = self.size.map(|length| length as i32 - 1);
+        let (across, down) = place.cubic_weights();
+        let mut sum = Vec3::ZERO;
+        for (dy, down) in (-1..).zip(down) {
+            for (dx, across) in (-1..).zip(across) {
+                let (x, y) = ((place.x + dx).clamp(0, right), (place.y + dy).clamp(0, bottom));
+                let shown = self.pixel(x, y).map_or(0, |memory| memory.shown);
+                if shown == 0 {
+                    return 0;
+                }
+                sum += shown_in(shown) * (across * down);
+            }
+        }
+        word_of(sum)
     }
 
     /// The light at a position by Catmull and Rom's cubic, which keeps it sharp from frame to frame, where all sixteen pixels around show the same, or those that have a
     /// part in it; else the mean of those of four that do, and where none does, the nearest of nine that does.
-    fn gather(&self, at: Vec2, shows: &impl Fn(&Memory) -> bool) -> Memory {
-        let middle = at.floor() + 0.5;
-        let at = Vec2::select((at - middle).abs().cmple(Vec2::splat(STILL)), middle, at);
-        let corner = (at - 0.5).floor();
-        let share = at - 0.5 - corner;
-        let (x, y) = (corner.x as i32, corner.y as i32);
+    fn gather(&self, place: &Place, shows: &impl Fn(&Memory) -> bool) -> Memory {
+        let &Place { at, x, y, share } = place;
         let known = |dx: i32, dy: i32| self.pixel(x + dx, y + dy).filter(|memory| shows(memory));
-        if let Some(light) = cubic(share, known) {
+        if let Some(light) = cubic(place.cubic_weights(), known) {
             return light;
         }
         let (mut sum, mut weights) = (Sum::default(), 0.0);
@@ -110,6 +129,40 @@ impl Before<'_> {
         let [width, height] = self.size.map(|length| length as i32);
         let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
         is_inside.then(|| &self.memory[(y * width + x) as usize])
+    }
+}
+
+/// A place of a picture, pixels.
+struct Place {
+    at: Vec2,
+    /// The pixel whose middle is the last one to the left and above.
+    x: i32,
+    y: i32,
+    /// How far behind that middle.
+    share: Vec2,
+}
+
+impl Place {
+    /// Where it is about the middle of a row or column of pixels, it is there.
+    fn at(at: Vec2) -> Self {
+        let middle = at.floor() + 0.5;
+        let at = Vec2::select((at - middle).abs().cmple(Vec2::splat(STILL)), middle, at);
+        let corner = (at - 0.5).floor();
+        Self { at, x: corner.x as i32, y: corner.y as i32, share: at - 0.5 - corner }
+    }
+
+    /// Weights of four pixels across and down, from the one before the corner on, by Catmull and Rom's cubic.
+    fn cubic_weights(&self) -> ([f32; 4], [f32; 4]) {
+        let weights = |t: f32| {
+            let (tt, ttt) = (t * t, t * t * t);
+            [
+                0.5 * (2.0 * tt - ttt - t),
+                0.5 * (3.0 * ttt - 5.0 * tt + 2.0),
+                0.5 * (4.0 * tt - 3.0 * ttt + t),
+                0.5 * (ttt - tt),
+            ]
+        };
+        (weights(self.share.x), weights(self.share.y))
     }
 }
 
@@ -154,18 +207,8 @@ fn position_of_perspective(camera: &Perspective, place: Vec3) -> Option<Vec2> {
     (x_y_z.z > 1e-6).then(|| Vec2::new(x_y_z.x / x_y_z.z, x_y_z.y / x_y_z.z))
 }
 
-/// The light that is known of the place `share` behind the second of four pixels in each direction.
-fn cubic<'a>(share: Vec2, known: impl Fn(i32, i32) -> Option<&'a Memory>) -> Option<Memory> {
-    let weights = |t: f32| {
-        let (tt, ttt) = (t * t, t * t * t);
-        [
-            0.5 * (2.0 * tt - ttt - t),
-            0.5 * (3.0 * ttt - 5.0 * tt + 2.0),
-            0.5 * (4.0 * tt - 3.0 * ttt + t),
-            0.5 * (ttt - tt),
-        ]
-    };
-    let (across, down) = (weights(share.x), weights(share.y));
+/// The light that is known by weights of four pixels across and down.
+fn cubic<'a>((across, down): ([f32; 4], [f32; 4]), known: impl Fn(i32, i32) -> Option<&'a Memory>) -> Option<Memory> {
     let (mut sum, mut least) = (Sum::default(), f32::INFINITY);
     for (dy, down) in (-1..).zip(down) {
         for (dx, across) in (-1..).zip(across) {

@@ -310,7 +310,7 @@ fn steps_of(
 }
 
 /// The steps of the filter.
-const FILTER_STEPS: [&str; 11] = [
+const FILTER_STEPS: [&str; 12] = [
     "filter_begin",
     "filter_compare",
     "filter_noise",
@@ -322,6 +322,7 @@ const FILTER_STEPS: [&str; 11] = [
     "filter_level_4",
     "filter_end",
     "filter_across",
+    "filter_picture",
 ];
 
 #[cfg(test)]
