@@ -26,7 +26,7 @@ pub struct Memory {
     pub direct: Vec3,
     /// Share of light that what is seen scatters.
     pub albedo: Vec3,
-    /// Normals, world space, by [`in_ten_bits`]: shorter than one where the pixel shows several.
+    /// Normals, world space, in ten bits an axis: shorter than one where the pixel shows several.
     pub normal: Vec3,
     /// Where surfaces are, world space.
     pub place: Vec3,

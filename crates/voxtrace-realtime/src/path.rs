@@ -52,7 +52,7 @@ pub struct View<'a> {
 /// The surface that a sample shows, through mirrors and clear glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
-    /// Unit normal, world space, by [`in_ten_bits`].
+    /// Unit normal, world space, in ten bits an axis.
     pub normal: Vec3,
     /// Where it seems to be, world space: as far along the camera's ray as the way to it is long.
     pub place: Vec3,
