@@ -78,7 +78,7 @@ fn of_host() -> BTreeMap<&'static str, Layout> {
             layout!(
                 RealTimeParams: eye, view_angle, before_eye, number, before_corner, candidates, before_pixel_x, flags, before_pixel_y,
                 most_paths, before_lens_x, before_blades, before_lens_y, cell_samples, before_place, motions, before_rows, before_origin,
-                pixels, slots, cells, squares, again, exposure, curve, padding
+                pixels, slots, cells, squares, again, exposure, curve, share, padding
             ),
         ),
         ("WaveStep", layout!(WaveStep: round, counts, capacity, rounds, samples)),
