@@ -3034,18 +3034,18 @@ fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local
     if(is_inside_0(_S247))
     {
         var index_37 : u32 = index_of_0(vec2<u32>(_S247));
-        var memory_6 : Memory_0 = load_memory_0(index_37);
         var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            radiance_0 = antialiased_0(_S247, memory_6.shown_3);
+            radiance_0 = antialiased_0(_S247, memory_row_0(u32(3), index_37).w);
         }
         else
         {
+            var memory_6 : Memory_0 = load_memory_0(index_37);
             radiance_0 = radiance_of_0(memory_6, Lit_irradiance_0(memory_6.lit_9));
         }
         memory_rows_0[u32(3) * real_time_0.pixels_0 + index_37][i32(3)] = word_of_0(radiance_0);
-        picture_0[index_37] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((half_of_0(memory_6.coverage_0)) << (u32(16)))))));
+        picture_0[index_37] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((memory_row_0(u32(1), index_37).y) << (u32(16)))))));
     }
     if(thread_1 == u32(0))
     {

@@ -1,5 +1,5 @@
-//! Temporal antialiasing: where something moves, a picture is averaged with those before it, in which each pixel is found again where its middle was. What they showed
-//! is held within the colours around the pixel now, so that nothing trails behind what moves (Salvi, "An Excursion in Temporal Supersampling", GDC 2016; Karis,
+//! Temporal antialiasing: where something moves, a picture is averaged with those before it, in which each pixel is found again where its middle was. What they showed,
+//! the history, is held within the colours around the pixel now, so that nothing trails behind what moves: variance clipping, by axes (Salvi, "An Excursion in Temporal Supersampling", GDC 2016; Karis,
 //! "High Quality Temporal Supersampling", SIGGRAPH 2014).
 
 use crate::memory::Memory;
@@ -76,7 +76,7 @@ pub(crate) fn shown_in(word: u32) -> Vec3 {
     Vec3::from(parts.map(|part| part as f32)) * f32::from_bits((103 + (word >> 27)) << 23)
 }
 
-/// Brightness, orange against blue, and green against both.
+/// YCoCg: brightness, orange against blue, and green against both (Malvar and Sullivan, "YCoCg-R", JVT-I014, 2003).
 fn ycocg(color: Vec3) -> Vec3 {
     let (r, g, b) = color.into();
     Vec3::new(0.25 * r + 0.5 * g + 0.25 * b, 0.5 * (r - b), 0.5 * g - 0.25 * (r + b))
