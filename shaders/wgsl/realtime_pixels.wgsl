@@ -242,29 +242,35 @@ fn compare_across_0( at_4 : vec2<i32>)
     return;
 }
 
+fn memory_row_0( row_6 : u32,  index_5 : u32) -> vec4<u32>
+{
+    return memory_rows_0[row_6 * real_time_0.pixels_0 + index_5];
+}
+
+var<private> WAVELET_THRESHOLD_0 : array<f32, i32(2)> = array<f32, i32(2)>( 4.0f, 1.60000002384185791f );
 fn details_0( at_5 : vec2<i32>,  level_0 : i32) -> vec3<f32>
 {
-    var index_5 : u32 = index_of_0(vec2<u32>(at_5));
+    var index_6 : u32 = index_of_0(vec2<u32>(at_5));
     var _S6 : u32 = u32((level_0 & (i32(1))));
-    var fine_0 : vec3<f32> = color_in_0(_S6, index_5).xyz;
-    var coarse_0 : vec3<f32> = color_in_0(u32(((level_0 + i32(1)) & (i32(1)))), index_5).xyz;
+    var fine_0 : vec3<f32> = color_in_0(_S6, index_6).xyz;
+    var coarse_0 : vec3<f32> = color_in_0(u32(((level_0 + i32(1)) & (i32(1)))), index_6).xyz;
     var _S7 : vec2<f32> = vec2<f32>(0.0f);
-    var dy_1 : i32 = i32(-2);
+    var dy_1 : i32 = i32(-1);
     var sum_2 : vec2<f32> = _S7;
     for(;;)
     {
-        if(dy_1 <= i32(2))
+        if(dy_1 <= i32(1))
         {
         }
         else
         {
             break;
         }
-        var dx_1 : i32 = i32(-2);
+        var dx_1 : i32 = i32(-1);
         var sum_3 : vec2<f32> = sum_2;
         for(;;)
         {
-            if(dx_1 <= i32(2))
+            if(dx_1 <= i32(1))
             {
             }
             else
@@ -281,7 +287,15 @@ fn details_0( at_5 : vec2<i32>,  level_0 : i32) -> vec3<f32>
         dy_1 = dy_1 + i32(1);
         sum_2 = sum_3;
     }
-    return (fine_0 - coarse_0) * vec3<f32>(max(1.0f - 1.60000002384185791f * sum_2.y / max(sum_2.x, 1.00000000317107685e-30f), 0.0f));
+    if((low_half_0(memory_row_0(u32(1), index_6).x)) < 1.5f)
+    {
+        dy_1 = i32(0);
+    }
+    else
+    {
+        dy_1 = i32(1);
+    }
+    return (fine_0 - coarse_0) * vec3<f32>(max(1.0f - WAVELET_THRESHOLD_0[dy_1] * sum_2.y / max(sum_2.x, 1.00000000317107685e-30f), 0.0f));
 }
 
 fn luminance_0( color_0 : vec3<f32>) -> f32
@@ -294,26 +308,21 @@ fn halves_0( low_0 : f32,  high_0 : f32) -> u32
     return pack2x16float(clamp(vec2<f32>(low_0, high_0), vec2<f32>(-65504.0f), vec2<f32>(65504.0f)));
 }
 
-fn set_color_0( row_6 : u32,  index_6 : u32,  color_1 : vec4<f32>)
+fn set_color_0( row_7 : u32,  index_7 : u32,  color_1 : vec4<f32>)
 {
-    set_scratch_row_0(row_6, index_6, vec2<u32>(halves_0(color_1.x, color_1.y), halves_0(color_1.z, color_1.w)));
+    set_scratch_row_0(row_7, index_7, vec2<u32>(halves_0(color_1.x, color_1.y), halves_0(color_1.z, color_1.w)));
     return;
 }
 
 fn end_levels_0( at_6 : vec2<i32>)
 {
-    var index_7 : u32 = index_of_0(vec2<u32>(at_6));
-    var smooth_0 : vec3<f32> = color_in_0(u32(1), index_7).xyz + (color_in_0(u32(2), index_7).xyz + details_0(at_6, i32(4)));
-    var own_0 : vec2<f32> = numbers_0(u32(4), index_7);
+    var index_8 : u32 = index_of_0(vec2<u32>(at_6));
+    var smooth_0 : vec3<f32> = color_in_0(u32(1), index_8).xyz + (color_in_0(u32(2), index_8).xyz + details_0(at_6, i32(4)));
+    var own_0 : vec2<f32> = numbers_0(u32(4), index_8);
     var step_0 : f32 = luminance_0(smooth_0) - own_0.y;
-    set_color_0(u32(0), index_7, vec4<f32>(smooth_0, 0.0f));
-    set_numbers_0(u32(6), index_7, vec2<f32>(step_0 * step_0, own_0.x));
+    set_color_0(u32(0), index_8, vec4<f32>(smooth_0, 0.0f));
+    set_numbers_0(u32(6), index_8, vec2<f32>(step_0 * step_0, own_0.x));
     return;
-}
-
-fn memory_row_0( row_7 : u32,  index_8 : u32) -> vec4<u32>
-{
-    return memory_rows_0[row_7 * real_time_0.pixels_0 + index_8];
 }
 
 struct Center_0
@@ -352,17 +361,12 @@ fn center_of_0( index_9 : u32) -> Center_0
     center_0.place_0 = (bitcast<vec3<f32>>((surface_0.xyz)));
     center_0.is_covered_0 = ((_S8 & (u32(1073741824)))) != u32(0);
     center_0.normal_scale_0 = 1.0f / (0.40000000596046448f + max(1.0f - length_squared_0(_S9), 0.0f));
-    center_0.place_scale_0 = 1.0f / (6.0f + high_half_0(shaded_0.y));
-    center_0.least_0 = 0.10000000149011612f / max(low_half_0(shaded_0.x), 1.0f);
+    center_0.place_scale_0 = 1.0f / (12.0f + high_half_0(shaded_0.y));
+    center_0.least_0 = 0.20000000298023224f / max(low_half_0(shaded_0.x), 1.0f);
     return center_0;
 }
 
-var<private> SPLINE_0 : array<f32, i32(3)> = array<f32, i32(3)>( 0.375f, 0.25f, 0.0625f );
-fn spline_0( step_1 : vec2<i32>) -> f32
-{
-    return SPLINE_0[abs(step_1.x)] * SPLINE_0[abs(step_1.y)];
-}
-
+var<private> HAT_0 : array<f32, i32(2)> = array<f32, i32(2)>( 0.5f, 0.25f );
 fn Center_alike_0( this_0 : Center_0,  index_10 : u32) -> f32
 {
     var surface_1 : vec4<u32> = memory_row_0(u32(0), index_10);
@@ -412,69 +416,68 @@ fn smooth_light_0( at_7 : vec2<i32>)
     var _S17 : f32 = own_1.w;
     var own_variance_0 : f32 = _S17 * _S17;
     var _S18 : f32 = 1.0f / (kept_0.w * kept_0.w * (own_variance_0 + 9.99999997475242708e-07f * own_luminance_0 * own_luminance_0 + 9.999999960041972e-13f));
-    var _S19 : vec3<f32> = _S16 * vec3<f32>(0.140625f);
-    var _S20 : f32 = own_variance_0 * 0.019775390625f;
-    var dy_2 : i32 = i32(-2);
+    var _S19 : vec3<f32> = _S16 * vec3<f32>(0.25f);
+    var _S20 : f32 = own_variance_0 * 0.0625f;
+    var dy_2 : i32 = i32(-1);
     var color_2 : vec3<f32> = _S19;
     var variance_0 : f32 = _S20;
-    var weights_0 : f32 = 0.140625f;
+    var weights_0 : f32 = 0.25f;
     for(;;)
     {
-        if(dy_2 <= i32(2))
+        if(dy_2 <= i32(1))
         {
         }
         else
         {
             break;
         }
-        var dx_2 : i32 = i32(-2);
+        var dx_2 : i32 = i32(-1);
         var color_3 : vec3<f32> = color_2;
         var variance_1 : f32 = variance_0;
         var weights_1 : f32 = weights_0;
         for(;;)
         {
-            if(dx_2 <= i32(2))
+            if(dx_2 <= i32(1))
             {
             }
             else
             {
                 break;
             }
-            var _S21 : vec2<i32> = vec2<i32>(dx_2, dy_2);
-            var other_3 : vec2<i32> = at_7 + ((_S21 << (vec2<u32>(u32(4)))));
-            var _S22 : bool;
+            var other_3 : vec2<i32> = at_7 + ((vec2<i32>(dx_2, dy_2) << (vec2<u32>(u32(4)))));
+            var _S21 : bool;
             if(dx_2 == i32(0))
             {
-                _S22 = dy_2 == i32(0);
+                _S21 = dy_2 == i32(0);
             }
             else
             {
-                _S22 = false;
+                _S21 = false;
             }
-            var _S23 : bool;
+            var _S22 : bool;
+            if(_S21)
+            {
+                _S22 = true;
+            }
+            else
+            {
+                _S22 = !is_inside_0(other_3);
+            }
             if(_S22)
-            {
-                _S23 = true;
-            }
-            else
-            {
-                _S23 = !is_inside_0(other_3);
-            }
-            if(_S23)
             {
                 dx_2 = dx_2 + i32(1);
                 continue;
             }
             var beside_0 : u32 = index_of_0(vec2<u32>(other_3));
             var light_0 : vec4<f32> = color_in_0(u32(0), beside_0);
-            var _S24 : vec3<f32> = light_0.xyz;
-            var difference_0 : f32 = luminance_0(_S24) - own_luminance_0;
-            var _S25 : f32 = max(1.0f - difference_0 * difference_0 * _S18, 0.0f);
-            var weight_0 : f32 = spline_0(_S21) * Center_alike_0(_S15, beside_0) * _S25 * _S25;
-            var _S26 : f32 = light_0.w;
-            var variance_2 : f32 = variance_1 + weight_0 * weight_0 * _S26 * _S26;
+            var _S23 : vec3<f32> = light_0.xyz;
+            var difference_0 : f32 = luminance_0(_S23) - own_luminance_0;
+            var _S24 : f32 = max(1.0f - difference_0 * difference_0 * _S18, 0.0f);
+            var weight_0 : f32 = HAT_0[abs(dx_2)] * HAT_0[abs(dy_2)] * Center_alike_0(_S15, beside_0) * _S24 * _S24;
+            var _S25 : f32 = light_0.w;
+            var variance_2 : f32 = variance_1 + weight_0 * weight_0 * _S25 * _S25;
             var weights_2 : f32 = weights_1 + weight_0;
-            color_3 = color_3 + _S24 * vec3<f32>(weight_0);
+            color_3 = color_3 + _S23 * vec3<f32>(weight_0);
             variance_1 = variance_2;
             weights_1 = weights_2;
             dx_2 = dx_2 + i32(1);
@@ -489,7 +492,7 @@ fn smooth_light_0( at_7 : vec2<i32>)
     var variance_3 : f32 = variance_0 * (over_0 * over_0);
     set_color_0(u32(1), index_11, vec4<f32>(color_4, sqrt(variance_3)));
     var detail_0 : f32 = luminance_0(_S16 - color_4);
-    set_numbers_0(u32(5), index_11, vec2<f32>(detail_0 * detail_0, max(own_variance_0 * (1.0f - 0.28125f * over_0) + variance_3, 0.0f)));
+    set_numbers_0(u32(5), index_11, vec2<f32>(detail_0 * detail_0, max(own_variance_0 * (1.0f - 0.5f * over_0) + variance_3, 0.0f)));
     return;
 }
 
@@ -497,12 +500,12 @@ fn smooth_light_1( at_8 : vec2<i32>)
 {
     var index_12 : u32 = index_of_0(vec2<u32>(at_8));
     var own_2 : vec4<f32> = color_in_0(u32(1), index_12);
-    var _S27 : vec4<f32> = color_in_0(u32(2), index_12);
-    var kept_1 : vec4<f32> = _S27;
-    var _S28 : vec3<f32> = _S27.xyz + details_0(at_8, i32(2));
-    kept_1.x = _S28.x;
-    kept_1.y = _S28.y;
-    kept_1.z = _S28.z;
+    var _S26 : vec4<f32> = color_in_0(u32(2), index_12);
+    var kept_1 : vec4<f32> = _S26;
+    var _S27 : vec3<f32> = _S26.xyz + details_0(at_8, i32(2));
+    kept_1.x = _S27.x;
+    kept_1.y = _S27.y;
+    kept_1.z = _S27.z;
     var fall_1 : f32;
     if((low_half_0(memory_row_0(u32(1), index_12).x)) < 7.5f)
     {
@@ -514,75 +517,74 @@ fn smooth_light_1( at_8 : vec2<i32>)
     }
     kept_1[i32(3)] = max(kept_1.w * fall_1, min(kept_1.w, 2.5f));
     set_color_0(u32(2), index_12, kept_1);
-    var _S29 : Center_0 = center_of_0(index_12);
-    var _S30 : vec3<f32> = own_2.xyz;
-    var own_luminance_1 : f32 = luminance_0(_S30);
-    var _S31 : f32 = own_2.w;
-    var own_variance_1 : f32 = _S31 * _S31;
-    var _S32 : f32 = 1.0f / (kept_1.w * kept_1.w * (own_variance_1 + 9.99999997475242708e-07f * own_luminance_1 * own_luminance_1 + 9.999999960041972e-13f));
-    var _S33 : vec3<f32> = _S30 * vec3<f32>(0.140625f);
-    var _S34 : f32 = own_variance_1 * 0.019775390625f;
-    var dy_3 : i32 = i32(-2);
-    var color_5 : vec3<f32> = _S33;
-    var variance_4 : f32 = _S34;
-    var weights_3 : f32 = 0.140625f;
+    var _S28 : Center_0 = center_of_0(index_12);
+    var _S29 : vec3<f32> = own_2.xyz;
+    var own_luminance_1 : f32 = luminance_0(_S29);
+    var _S30 : f32 = own_2.w;
+    var own_variance_1 : f32 = _S30 * _S30;
+    var _S31 : f32 = 1.0f / (kept_1.w * kept_1.w * (own_variance_1 + 9.99999997475242708e-07f * own_luminance_1 * own_luminance_1 + 9.999999960041972e-13f));
+    var _S32 : vec3<f32> = _S29 * vec3<f32>(0.25f);
+    var _S33 : f32 = own_variance_1 * 0.0625f;
+    var dy_3 : i32 = i32(-1);
+    var color_5 : vec3<f32> = _S32;
+    var variance_4 : f32 = _S33;
+    var weights_3 : f32 = 0.25f;
     for(;;)
     {
-        if(dy_3 <= i32(2))
+        if(dy_3 <= i32(1))
         {
         }
         else
         {
             break;
         }
-        var dx_3 : i32 = i32(-2);
+        var dx_3 : i32 = i32(-1);
         var color_6 : vec3<f32> = color_5;
         var variance_5 : f32 = variance_4;
         var weights_4 : f32 = weights_3;
         for(;;)
         {
-            if(dx_3 <= i32(2))
+            if(dx_3 <= i32(1))
             {
             }
             else
             {
                 break;
             }
-            var _S35 : vec2<i32> = vec2<i32>(dx_3, dy_3);
-            var other_4 : vec2<i32> = at_8 + ((_S35 << (vec2<u32>(u32(3)))));
-            var _S36 : bool;
+            var other_4 : vec2<i32> = at_8 + ((vec2<i32>(dx_3, dy_3) << (vec2<u32>(u32(3)))));
+            var _S34 : bool;
             if(dx_3 == i32(0))
             {
-                _S36 = dy_3 == i32(0);
+                _S34 = dy_3 == i32(0);
             }
             else
             {
-                _S36 = false;
+                _S34 = false;
             }
-            var _S37 : bool;
-            if(_S36)
+            var _S35 : bool;
+            if(_S34)
             {
-                _S37 = true;
+                _S35 = true;
             }
             else
             {
-                _S37 = !is_inside_0(other_4);
+                _S35 = !is_inside_0(other_4);
             }
-            if(_S37)
+            if(_S35)
             {
                 dx_3 = dx_3 + i32(1);
                 continue;
             }
             var beside_1 : u32 = index_of_0(vec2<u32>(other_4));
             var light_1 : vec4<f32> = color_in_0(u32(1), beside_1);
-            var _S38 : vec3<f32> = light_1.xyz;
-            var difference_1 : f32 = luminance_0(_S38) - own_luminance_1;
-            var _S39 : f32 = max(1.0f - difference_1 * difference_1 * _S32, 0.0f);
-            var weight_1 : f32 = spline_0(_S35) * Center_alike_0(_S29, beside_1) * _S39 * _S39;
-            var _S40 : f32 = light_1.w;
-            var variance_6 : f32 = variance_5 + weight_1 * weight_1 * _S40 * _S40;
+            var _S36 : vec3<f32> = light_1.xyz;
+            var difference_1 : f32 = luminance_0(_S36) - own_luminance_1;
+            var _S37 : f32 = max(1.0f - difference_1 * difference_1 * _S31, 0.0f);
+            var weight_1 : f32 = HAT_0[abs(dx_3)] * HAT_0[abs(dy_3)] * Center_alike_0(_S28, beside_1) * _S37 * _S37;
+            var _S38 : f32 = light_1.w;
+            var variance_6 : f32 = variance_5 + weight_1 * weight_1 * _S38 * _S38;
             var weights_5 : f32 = weights_4 + weight_1;
-            color_6 = color_6 + _S38 * vec3<f32>(weight_1);
+            color_6 = color_6 + _S36 * vec3<f32>(weight_1);
             variance_5 = variance_6;
             weights_4 = weights_5;
             dx_3 = dx_3 + i32(1);
@@ -596,8 +598,8 @@ fn smooth_light_1( at_8 : vec2<i32>)
     var color_7 : vec3<f32> = color_5 * vec3<f32>(over_1);
     var variance_7 : f32 = variance_4 * (over_1 * over_1);
     set_color_0(u32(0), index_12, vec4<f32>(color_7, sqrt(variance_7)));
-    var detail_1 : f32 = luminance_0(_S30 - color_7);
-    set_numbers_0(u32(6), index_12, vec2<f32>(detail_1 * detail_1, max(own_variance_1 * (1.0f - 0.28125f * over_1) + variance_7, 0.0f)));
+    var detail_1 : f32 = luminance_0(_S29 - color_7);
+    set_numbers_0(u32(6), index_12, vec2<f32>(detail_1 * detail_1, max(own_variance_1 * (1.0f - 0.5f * over_1) + variance_7, 0.0f)));
     return;
 }
 
@@ -605,12 +607,12 @@ fn smooth_light_2( at_9 : vec2<i32>)
 {
     var index_13 : u32 = index_of_0(vec2<u32>(at_9));
     var own_3 : vec4<f32> = color_in_0(u32(0), index_13);
-    var _S41 : vec4<f32> = color_in_0(u32(2), index_13);
-    var kept_2 : vec4<f32> = _S41;
-    var _S42 : vec3<f32> = _S41.xyz + details_0(at_9, i32(1));
-    kept_2.x = _S42.x;
-    kept_2.y = _S42.y;
-    kept_2.z = _S42.z;
+    var _S39 : vec4<f32> = color_in_0(u32(2), index_13);
+    var kept_2 : vec4<f32> = _S39;
+    var _S40 : vec3<f32> = _S39.xyz + details_0(at_9, i32(1));
+    kept_2.x = _S40.x;
+    kept_2.y = _S40.y;
+    kept_2.z = _S40.z;
     var fall_2 : f32;
     if((low_half_0(memory_row_0(u32(1), index_13).x)) < 7.5f)
     {
@@ -622,75 +624,74 @@ fn smooth_light_2( at_9 : vec2<i32>)
     }
     kept_2[i32(3)] = max(kept_2.w * fall_2, min(kept_2.w, 2.5f));
     set_color_0(u32(2), index_13, kept_2);
-    var _S43 : Center_0 = center_of_0(index_13);
-    var _S44 : vec3<f32> = own_3.xyz;
-    var own_luminance_2 : f32 = luminance_0(_S44);
-    var _S45 : f32 = own_3.w;
-    var own_variance_2 : f32 = _S45 * _S45;
-    var _S46 : f32 = 1.0f / (kept_2.w * kept_2.w * (own_variance_2 + 9.99999997475242708e-07f * own_luminance_2 * own_luminance_2 + 9.999999960041972e-13f));
-    var _S47 : vec3<f32> = _S44 * vec3<f32>(0.140625f);
-    var _S48 : f32 = own_variance_2 * 0.019775390625f;
-    var dy_4 : i32 = i32(-2);
-    var color_8 : vec3<f32> = _S47;
-    var variance_8 : f32 = _S48;
-    var weights_6 : f32 = 0.140625f;
+    var _S41 : Center_0 = center_of_0(index_13);
+    var _S42 : vec3<f32> = own_3.xyz;
+    var own_luminance_2 : f32 = luminance_0(_S42);
+    var _S43 : f32 = own_3.w;
+    var own_variance_2 : f32 = _S43 * _S43;
+    var _S44 : f32 = 1.0f / (kept_2.w * kept_2.w * (own_variance_2 + 9.99999997475242708e-07f * own_luminance_2 * own_luminance_2 + 9.999999960041972e-13f));
+    var _S45 : vec3<f32> = _S42 * vec3<f32>(0.25f);
+    var _S46 : f32 = own_variance_2 * 0.0625f;
+    var dy_4 : i32 = i32(-1);
+    var color_8 : vec3<f32> = _S45;
+    var variance_8 : f32 = _S46;
+    var weights_6 : f32 = 0.25f;
     for(;;)
     {
-        if(dy_4 <= i32(2))
+        if(dy_4 <= i32(1))
         {
         }
         else
         {
             break;
         }
-        var dx_4 : i32 = i32(-2);
+        var dx_4 : i32 = i32(-1);
         var color_9 : vec3<f32> = color_8;
         var variance_9 : f32 = variance_8;
         var weights_7 : f32 = weights_6;
         for(;;)
         {
-            if(dx_4 <= i32(2))
+            if(dx_4 <= i32(1))
             {
             }
             else
             {
                 break;
             }
-            var _S49 : vec2<i32> = vec2<i32>(dx_4, dy_4);
-            var other_5 : vec2<i32> = at_9 + ((_S49 << (vec2<u32>(u32(2)))));
-            var _S50 : bool;
+            var other_5 : vec2<i32> = at_9 + ((vec2<i32>(dx_4, dy_4) << (vec2<u32>(u32(2)))));
+            var _S47 : bool;
             if(dx_4 == i32(0))
             {
-                _S50 = dy_4 == i32(0);
+                _S47 = dy_4 == i32(0);
             }
             else
             {
-                _S50 = false;
+                _S47 = false;
             }
-            var _S51 : bool;
-            if(_S50)
+            var _S48 : bool;
+            if(_S47)
             {
-                _S51 = true;
+                _S48 = true;
             }
             else
             {
-                _S51 = !is_inside_0(other_5);
+                _S48 = !is_inside_0(other_5);
             }
-            if(_S51)
+            if(_S48)
             {
                 dx_4 = dx_4 + i32(1);
                 continue;
             }
             var beside_2 : u32 = index_of_0(vec2<u32>(other_5));
             var light_2 : vec4<f32> = color_in_0(u32(0), beside_2);
-            var _S52 : vec3<f32> = light_2.xyz;
-            var difference_2 : f32 = luminance_0(_S52) - own_luminance_2;
-            var _S53 : f32 = max(1.0f - difference_2 * difference_2 * _S46, 0.0f);
-            var weight_2 : f32 = spline_0(_S49) * Center_alike_0(_S43, beside_2) * _S53 * _S53;
-            var _S54 : f32 = light_2.w;
-            var variance_10 : f32 = variance_9 + weight_2 * weight_2 * _S54 * _S54;
+            var _S49 : vec3<f32> = light_2.xyz;
+            var difference_2 : f32 = luminance_0(_S49) - own_luminance_2;
+            var _S50 : f32 = max(1.0f - difference_2 * difference_2 * _S44, 0.0f);
+            var weight_2 : f32 = HAT_0[abs(dx_4)] * HAT_0[abs(dy_4)] * Center_alike_0(_S41, beside_2) * _S50 * _S50;
+            var _S51 : f32 = light_2.w;
+            var variance_10 : f32 = variance_9 + weight_2 * weight_2 * _S51 * _S51;
             var weights_8 : f32 = weights_7 + weight_2;
-            color_9 = color_9 + _S52 * vec3<f32>(weight_2);
+            color_9 = color_9 + _S49 * vec3<f32>(weight_2);
             variance_9 = variance_10;
             weights_7 = weights_8;
             dx_4 = dx_4 + i32(1);
@@ -704,8 +705,8 @@ fn smooth_light_2( at_9 : vec2<i32>)
     var color_10 : vec3<f32> = color_8 * vec3<f32>(over_2);
     var variance_11 : f32 = variance_8 * (over_2 * over_2);
     set_color_0(u32(1), index_13, vec4<f32>(color_10, sqrt(variance_11)));
-    var detail_2 : f32 = luminance_0(_S44 - color_10);
-    set_numbers_0(u32(5), index_13, vec2<f32>(detail_2 * detail_2, max(own_variance_2 * (1.0f - 0.28125f * over_2) + variance_11, 0.0f)));
+    var detail_2 : f32 = luminance_0(_S42 - color_10);
+    set_numbers_0(u32(5), index_13, vec2<f32>(detail_2 * detail_2, max(own_variance_2 * (1.0f - 0.5f * over_2) + variance_11, 0.0f)));
     return;
 }
 
@@ -713,12 +714,12 @@ fn smooth_light_3( at_10 : vec2<i32>)
 {
     var index_14 : u32 = index_of_0(vec2<u32>(at_10));
     var own_4 : vec4<f32> = color_in_0(u32(1), index_14);
-    var _S55 : vec4<f32> = color_in_0(u32(2), index_14);
-    var kept_3 : vec4<f32> = _S55;
-    var _S56 : vec3<f32> = _S55.xyz + details_0(at_10, i32(0));
-    kept_3.x = _S56.x;
-    kept_3.y = _S56.y;
-    kept_3.z = _S56.z;
+    var _S52 : vec4<f32> = color_in_0(u32(2), index_14);
+    var kept_3 : vec4<f32> = _S52;
+    var _S53 : vec3<f32> = _S52.xyz + details_0(at_10, i32(0));
+    kept_3.x = _S53.x;
+    kept_3.y = _S53.y;
+    kept_3.z = _S53.z;
     var fall_3 : f32;
     if((low_half_0(memory_row_0(u32(1), index_14).x)) < 7.5f)
     {
@@ -730,75 +731,74 @@ fn smooth_light_3( at_10 : vec2<i32>)
     }
     kept_3[i32(3)] = max(kept_3.w * fall_3, min(kept_3.w, 2.5f));
     set_color_0(u32(2), index_14, kept_3);
-    var _S57 : Center_0 = center_of_0(index_14);
-    var _S58 : vec3<f32> = own_4.xyz;
-    var own_luminance_3 : f32 = luminance_0(_S58);
-    var _S59 : f32 = own_4.w;
-    var own_variance_3 : f32 = _S59 * _S59;
-    var _S60 : f32 = 1.0f / (kept_3.w * kept_3.w * (own_variance_3 + 9.99999997475242708e-07f * own_luminance_3 * own_luminance_3 + 9.999999960041972e-13f));
-    var _S61 : vec3<f32> = _S58 * vec3<f32>(0.140625f);
-    var _S62 : f32 = own_variance_3 * 0.019775390625f;
-    var dy_5 : i32 = i32(-2);
-    var color_11 : vec3<f32> = _S61;
-    var variance_12 : f32 = _S62;
-    var weights_9 : f32 = 0.140625f;
+    var _S54 : Center_0 = center_of_0(index_14);
+    var _S55 : vec3<f32> = own_4.xyz;
+    var own_luminance_3 : f32 = luminance_0(_S55);
+    var _S56 : f32 = own_4.w;
+    var own_variance_3 : f32 = _S56 * _S56;
+    var _S57 : f32 = 1.0f / (kept_3.w * kept_3.w * (own_variance_3 + 9.99999997475242708e-07f * own_luminance_3 * own_luminance_3 + 9.999999960041972e-13f));
+    var _S58 : vec3<f32> = _S55 * vec3<f32>(0.25f);
+    var _S59 : f32 = own_variance_3 * 0.0625f;
+    var dy_5 : i32 = i32(-1);
+    var color_11 : vec3<f32> = _S58;
+    var variance_12 : f32 = _S59;
+    var weights_9 : f32 = 0.25f;
     for(;;)
     {
-        if(dy_5 <= i32(2))
+        if(dy_5 <= i32(1))
         {
         }
         else
         {
             break;
         }
-        var dx_5 : i32 = i32(-2);
+        var dx_5 : i32 = i32(-1);
         var color_12 : vec3<f32> = color_11;
         var variance_13 : f32 = variance_12;
         var weights_10 : f32 = weights_9;
         for(;;)
         {
-            if(dx_5 <= i32(2))
+            if(dx_5 <= i32(1))
             {
             }
             else
             {
                 break;
             }
-            var _S63 : vec2<i32> = vec2<i32>(dx_5, dy_5);
-            var other_6 : vec2<i32> = at_10 + ((_S63 << (vec2<u32>(u32(1)))));
-            var _S64 : bool;
+            var other_6 : vec2<i32> = at_10 + ((vec2<i32>(dx_5, dy_5) << (vec2<u32>(u32(1)))));
+            var _S60 : bool;
             if(dx_5 == i32(0))
             {
-                _S64 = dy_5 == i32(0);
+                _S60 = dy_5 == i32(0);
             }
             else
             {
-                _S64 = false;
+                _S60 = false;
             }
-            var _S65 : bool;
-            if(_S64)
+            var _S61 : bool;
+            if(_S60)
             {
-                _S65 = true;
+                _S61 = true;
             }
             else
             {
-                _S65 = !is_inside_0(other_6);
+                _S61 = !is_inside_0(other_6);
             }
-            if(_S65)
+            if(_S61)
             {
                 dx_5 = dx_5 + i32(1);
                 continue;
             }
             var beside_3 : u32 = index_of_0(vec2<u32>(other_6));
             var light_3 : vec4<f32> = color_in_0(u32(1), beside_3);
-            var _S66 : vec3<f32> = light_3.xyz;
-            var difference_3 : f32 = luminance_0(_S66) - own_luminance_3;
-            var _S67 : f32 = max(1.0f - difference_3 * difference_3 * _S60, 0.0f);
-            var weight_3 : f32 = spline_0(_S63) * Center_alike_0(_S57, beside_3) * _S67 * _S67;
-            var _S68 : f32 = light_3.w;
-            var variance_14 : f32 = variance_13 + weight_3 * weight_3 * _S68 * _S68;
+            var _S62 : vec3<f32> = light_3.xyz;
+            var difference_3 : f32 = luminance_0(_S62) - own_luminance_3;
+            var _S63 : f32 = max(1.0f - difference_3 * difference_3 * _S57, 0.0f);
+            var weight_3 : f32 = HAT_0[abs(dx_5)] * HAT_0[abs(dy_5)] * Center_alike_0(_S54, beside_3) * _S63 * _S63;
+            var _S64 : f32 = light_3.w;
+            var variance_14 : f32 = variance_13 + weight_3 * weight_3 * _S64 * _S64;
             var weights_11 : f32 = weights_10 + weight_3;
-            color_12 = color_12 + _S66 * vec3<f32>(weight_3);
+            color_12 = color_12 + _S62 * vec3<f32>(weight_3);
             variance_13 = variance_14;
             weights_10 = weights_11;
             dx_5 = dx_5 + i32(1);
@@ -812,8 +812,8 @@ fn smooth_light_3( at_10 : vec2<i32>)
     var color_13 : vec3<f32> = color_11 * vec3<f32>(over_3);
     var variance_15 : f32 = variance_12 * (over_3 * over_3);
     set_color_0(u32(0), index_14, vec4<f32>(color_13, sqrt(variance_15)));
-    var detail_3 : f32 = luminance_0(_S58 - color_13);
-    set_numbers_0(u32(6), index_14, vec2<f32>(detail_3 * detail_3, max(own_variance_3 * (1.0f - 0.28125f * over_3) + variance_15, 0.0f)));
+    var detail_3 : f32 = luminance_0(_S55 - color_13);
+    set_numbers_0(u32(6), index_14, vec2<f32>(detail_3 * detail_3, max(own_variance_3 * (1.0f - 0.5f * over_3) + variance_15, 0.0f)));
     return;
 }
 
@@ -821,76 +821,75 @@ fn smooth_light_4( at_11 : vec2<i32>)
 {
     var index_15 : u32 = index_of_0(vec2<u32>(at_11));
     var own_5 : vec4<f32> = color_in_0(u32(0), index_15);
-    var _S69 : Center_0 = center_of_0(index_15);
-    var _S70 : vec3<f32> = own_5.xyz;
-    var own_luminance_4 : f32 = luminance_0(_S70);
-    var _S71 : f32 = own_5.w;
-    var own_variance_4 : f32 = _S71 * _S71;
-    var _S72 : f32 = color_in_0(u32(2), index_15).w;
-    var _S73 : f32 = 1.0f / (_S72 * _S72 * (own_variance_4 + 9.99999997475242708e-07f * own_luminance_4 * own_luminance_4 + 9.999999960041972e-13f));
-    var _S74 : vec3<f32> = _S70 * vec3<f32>(0.140625f);
-    var _S75 : f32 = own_variance_4 * 0.019775390625f;
-    var dy_6 : i32 = i32(-2);
-    var color_14 : vec3<f32> = _S74;
-    var variance_16 : f32 = _S75;
-    var weights_12 : f32 = 0.140625f;
+    var _S65 : Center_0 = center_of_0(index_15);
+    var _S66 : vec3<f32> = own_5.xyz;
+    var own_luminance_4 : f32 = luminance_0(_S66);
+    var _S67 : f32 = own_5.w;
+    var own_variance_4 : f32 = _S67 * _S67;
+    var _S68 : f32 = color_in_0(u32(2), index_15).w;
+    var _S69 : f32 = 1.0f / (_S68 * _S68 * (own_variance_4 + 9.99999997475242708e-07f * own_luminance_4 * own_luminance_4 + 9.999999960041972e-13f));
+    var _S70 : vec3<f32> = _S66 * vec3<f32>(0.25f);
+    var _S71 : f32 = own_variance_4 * 0.0625f;
+    var dy_6 : i32 = i32(-1);
+    var color_14 : vec3<f32> = _S70;
+    var variance_16 : f32 = _S71;
+    var weights_12 : f32 = 0.25f;
     for(;;)
     {
-        if(dy_6 <= i32(2))
+        if(dy_6 <= i32(1))
         {
         }
         else
         {
             break;
         }
-        var dx_6 : i32 = i32(-2);
+        var dx_6 : i32 = i32(-1);
         var color_15 : vec3<f32> = color_14;
         var variance_17 : f32 = variance_16;
         var weights_13 : f32 = weights_12;
         for(;;)
         {
-            if(dx_6 <= i32(2))
+            if(dx_6 <= i32(1))
             {
             }
             else
             {
                 break;
             }
-            var _S76 : vec2<i32> = vec2<i32>(dx_6, dy_6);
-            var other_7 : vec2<i32> = at_11 + ((_S76 << (vec2<u32>(u32(0)))));
-            var _S77 : bool;
+            var other_7 : vec2<i32> = at_11 + ((vec2<i32>(dx_6, dy_6) << (vec2<u32>(u32(0)))));
+            var _S72 : bool;
             if(dx_6 == i32(0))
             {
-                _S77 = dy_6 == i32(0);
+                _S72 = dy_6 == i32(0);
             }
             else
             {
-                _S77 = false;
+                _S72 = false;
             }
-            var _S78 : bool;
-            if(_S77)
+            var _S73 : bool;
+            if(_S72)
             {
-                _S78 = true;
+                _S73 = true;
             }
             else
             {
-                _S78 = !is_inside_0(other_7);
+                _S73 = !is_inside_0(other_7);
             }
-            if(_S78)
+            if(_S73)
             {
                 dx_6 = dx_6 + i32(1);
                 continue;
             }
             var beside_4 : u32 = index_of_0(vec2<u32>(other_7));
             var light_4 : vec4<f32> = color_in_0(u32(0), beside_4);
-            var _S79 : vec3<f32> = light_4.xyz;
-            var difference_4 : f32 = luminance_0(_S79) - own_luminance_4;
-            var _S80 : f32 = max(1.0f - difference_4 * difference_4 * _S73, 0.0f);
-            var weight_4 : f32 = spline_0(_S76) * Center_alike_0(_S69, beside_4) * _S80 * _S80;
-            var _S81 : f32 = light_4.w;
-            var variance_18 : f32 = variance_17 + weight_4 * weight_4 * _S81 * _S81;
+            var _S74 : vec3<f32> = light_4.xyz;
+            var difference_4 : f32 = luminance_0(_S74) - own_luminance_4;
+            var _S75 : f32 = max(1.0f - difference_4 * difference_4 * _S69, 0.0f);
+            var weight_4 : f32 = HAT_0[abs(dx_6)] * HAT_0[abs(dy_6)] * Center_alike_0(_S65, beside_4) * _S75 * _S75;
+            var _S76 : f32 = light_4.w;
+            var variance_18 : f32 = variance_17 + weight_4 * weight_4 * _S76 * _S76;
             var weights_14 : f32 = weights_13 + weight_4;
-            color_15 = color_15 + _S79 * vec3<f32>(weight_4);
+            color_15 = color_15 + _S74 * vec3<f32>(weight_4);
             variance_17 = variance_18;
             weights_13 = weights_14;
             dx_6 = dx_6 + i32(1);
@@ -904,11 +903,12 @@ fn smooth_light_4( at_11 : vec2<i32>)
     var color_16 : vec3<f32> = color_14 * vec3<f32>(over_4);
     var variance_19 : f32 = variance_16 * (over_4 * over_4);
     set_color_0(u32(1), index_15, vec4<f32>(color_16, sqrt(variance_19)));
-    var detail_4 : f32 = luminance_0(_S70 - color_16);
-    set_numbers_0(u32(5), index_15, vec2<f32>(detail_4 * detail_4, max(own_variance_4 * (1.0f - 0.28125f * over_4) + variance_19, 0.0f)));
+    var detail_4 : f32 = luminance_0(_S66 - color_16);
+    set_numbers_0(u32(5), index_15, vec2<f32>(detail_4 * detail_4, max(own_variance_4 * (1.0f - 0.5f * over_4) + variance_19, 0.0f)));
     return;
 }
 
+var<private> SPLINE_0 : array<f32, i32(3)> = array<f32, i32(3)>( 0.375f, 0.25f, 0.0625f );
 @id(0) override IS_EXACT_0 : bool = true;
 
 fn place_of_check_0( cell_0 : u32) -> u32
@@ -929,17 +929,17 @@ fn set_cell_row_0( row_9 : u32,  cell_2 : u32,  value_2 : vec4<u32>)
 
 fn share_of_0( count_5 : u32,  room_0 : u32) -> u32
 {
-    var _S82 : u32;
+    var _S77 : u32;
     if(count_5 <= room_0)
     {
-        _S82 = u32(4294967295);
+        _S77 = u32(4294967295);
     }
     else
     {
-        var _S83 : u32 = u32(4294967295) / count_5;
-        _S82 = _S83 * room_0;
+        var _S78 : u32 = u32(4294967295) / count_5;
+        _S77 = _S78 * room_0;
     }
-    return _S82;
+    return _S77;
 }
 
 struct Key_0
@@ -951,24 +951,24 @@ struct Key_0
 
 fn Key_x24init_0( instance_1 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S84 : Key_0;
-    _S84.instance_0 = instance_1;
-    _S84.face_and_level_0 = face_and_level_1;
-    _S84.cube_0 = cube_1;
-    return _S84;
+    var _S79 : Key_0;
+    _S79.instance_0 = instance_1;
+    _S79.face_and_level_0 = face_and_level_1;
+    _S79.cube_0 = cube_1;
+    return _S79;
 }
 
 fn pcg4d_0( words_1 : vec4<u32>) -> vec4<u32>
 {
-    var _S85 : vec4<u32> = words_1 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S85;
-    v_0[i32(0)] = v_0[i32(0)] + _S85.y * _S85.w;
+    var _S80 : vec4<u32> = words_1 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S80;
+    v_0[i32(0)] = v_0[i32(0)] + _S80.y * _S80.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S86 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S86;
-    v_0[i32(0)] = v_0[i32(0)] + _S86.y * _S86.w;
+    var _S81 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S81;
+    v_0[i32(0)] = v_0[i32(0)] + _S81.y * _S81.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -987,14 +987,14 @@ fn place_of_chosen_0( number_1 : u32) -> u32
 
 fn choose_cell_0( cell_3 : u32)
 {
-    var _S87 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_3)]));
-    if(_S87 == u32(0))
+    var _S82 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_3)]));
+    if(_S82 == u32(0))
     {
         return;
     }
-    var _S88 : vec4<u32> = cell_row_0(u32(0), cell_3);
-    var light_5 : vec4<u32> = _S88;
-    if((bitcast<f32>((_S88.w))) > (real_time_0.cell_samples_0))
+    var _S83 : vec4<u32> = cell_row_0(u32(0), cell_3);
+    var light_5 : vec4<u32> = _S83;
+    if((bitcast<f32>((_S83.w))) > (real_time_0.cell_samples_0))
     {
         light_5[i32(3)] = (bitcast<u32>((real_time_0.cell_samples_0)));
         set_cell_row_0(u32(0), cell_3, light_5);
@@ -1022,13 +1022,13 @@ fn choose_cell_0( cell_3 : u32)
     var share_1 : u32;
     if((bitcast<f32>((light_5.w))) == 0.0f)
     {
-        var _S89 : u32 = share_of_0(new_cells_1, u32(65536));
-        share_1 = _S89;
+        var _S84 : u32 = share_of_0(new_cells_1, u32(65536));
+        share_1 = _S84;
     }
     else
     {
-        var _S90 : u32 = share_of_0(old_cells_1, u32(65536) - min(new_cells_1, u32(65536)));
-        share_1 = _S90;
+        var _S85 : u32 = share_of_0(old_cells_1, u32(65536) - min(new_cells_1, u32(65536)));
+        share_1 = _S85;
     }
     if((pcg4d_0(vec4<u32>(Key_hash_0(Key_x24init_0(face_0.x, face_0.y, vec3<i32>(cell_row_0(u32(2), cell_3).xyz))).x, real_time_0.number_0, u32(1), ((params_0.seed_0) ^ (u32(1540483477))))).x) > share_1)
     {
@@ -1061,9 +1061,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S91 : i32 = i32(divisor_0);
-    var _S92 : i32 = i32(2) * (rest_0 - units_0 * _S91);
-    return guess_0 + u32(units_0 + (i32(_S92 > _S91) - i32(_S92 < (- _S91))));
+    var _S86 : i32 = i32(divisor_0);
+    var _S87 : i32 = i32(2) * (rest_0 - units_0 * _S86);
+    return guess_0 + u32(units_0 + (i32(_S87 > _S86) - i32(_S87 < (- _S86))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
@@ -1072,82 +1072,82 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     {
         return a_1 / b_1;
     }
-    var _S93 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : u32 = (((_S93 >> (u32(23)))) & (u32(255)));
-    var _S94 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : u32 = (((_S94 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S93 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S94 & (u32(8388607)))) | (u32(8388608)));
+    var _S88 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S88 >> (u32(23)))) & (u32(255)));
+    var _S89 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S89 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S88 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S89 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S95 : bool;
+    var _S90 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S95 = true;
+        _S90 = true;
     }
     else
     {
-        _S95 = !is_normal_0(exponent_b_0);
+        _S90 = !is_normal_0(exponent_b_0);
     }
-    if(_S95)
+    if(_S90)
     {
-        _S95 = true;
+        _S90 = true;
     }
     else
     {
-        _S95 = !is_normal_0(exponent_1);
+        _S90 = !is_normal_0(exponent_1);
     }
-    if(_S95)
+    if(_S90)
     {
         return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S93 ^ (_S94))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S88 ^ (_S89))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn end_cell_0( cell_5 : u32)
 {
-    var _S96 : u32 = place_of_check_0(cell_5);
-    var _S97 : u32 = atomicLoad(&(cell_keys_0[_S96]));
-    if(_S97 == u32(0))
+    var _S91 : u32 = place_of_check_0(cell_5);
+    var _S92 : u32 = atomicLoad(&(cell_keys_0[_S91]));
+    if(_S92 == u32(0))
     {
         return;
     }
-    var _S98 : u32 = place_of_asked_0(cell_5);
-    var asked_0 : u32 = atomicLoad(&(cell_keys_0[_S98]));
+    var _S93 : u32 = place_of_asked_0(cell_5);
+    var asked_0 : u32 = atomicLoad(&(cell_keys_0[_S93]));
     var face_1 : vec4<u32> = cell_row_0(u32(1), cell_5);
     var found_0 : vec4<u32> = cell_row_0(u32(3), cell_5);
     var light_6 : vec4<u32> = cell_row_0(u32(0), cell_5);
     var light_7 : vec4<u32>;
     if((found_0.w) != u32(0))
     {
-        var _S99 : f32 = min((bitcast<f32>((light_6.w))) + 1.0f, 128.0f);
+        var _S94 : f32 = min((bitcast<f32>((light_6.w))) + 1.0f, 128.0f);
         var known_0 : vec3<f32> = (bitcast<vec3<f32>>((light_6.xyz)));
-        var step_2 : vec3<f32> = (bitcast<vec3<f32>>((found_0.xyz))) - known_0;
-        var _S100 : vec4<u32> = vec4<u32>((bitcast<vec3<u32>>((known_0 + vec3<f32>(divide_0(step_2.x, _S99), divide_0(step_2.y, _S99), divide_0(step_2.z, _S99))))), (bitcast<u32>((_S99))));
+        var step_1 : vec3<f32> = (bitcast<vec3<f32>>((found_0.xyz))) - known_0;
+        var _S95 : vec4<u32> = vec4<u32>((bitcast<vec3<u32>>((known_0 + vec3<f32>(divide_0(step_1.x, _S94), divide_0(step_1.y, _S94), divide_0(step_1.z, _S94))))), (bitcast<u32>((_S94))));
         set_cell_row_0(u32(3), cell_5, vec4<u32>(vec4<i32>(i32(0))));
-        light_7 = _S100;
+        light_7 = _S95;
     }
     else
     {
         light_7 = light_6;
     }
     var before_0 : u32 = ((face_1.z) >> (u32(20)));
-    var _S101 : u32;
+    var _S96 : u32;
     if(before_0 == u32(0))
     {
-        _S101 = u32(0);
+        _S96 = u32(0);
     }
     else
     {
-        _S101 = before_0 - u32(1);
+        _S96 = before_0 - u32(1);
     }
-    var _S102 : u32 = max(_S101, (asked_0 >> (u32(20))));
+    var _S97 : u32 = max(_S96, (asked_0 >> (u32(20))));
     var code_0 : u32 = (asked_0 & (u32(1048575)));
-    face_1[i32(2)] = (((_S102 << (u32(20)))) | (code_0));
-    if(_S102 == u32(0))
+    face_1[i32(2)] = (((_S97 << (u32(20)))) | (code_0));
+    if(_S97 == u32(0))
     {
-        atomicStore(&(cell_keys_0[_S96]), u32(0));
+        atomicStore(&(cell_keys_0[_S91]), u32(0));
         light_7 = vec4<u32>(vec4<i32>(i32(0)));
     }
     else
@@ -1156,16 +1156,16 @@ fn end_cell_0( cell_5 : u32)
         {
             if((bitcast<f32>((light_7.w))) == 0.0f)
             {
-                _S101 = u32(0);
+                _S96 = u32(0);
             }
             else
             {
-                _S101 = u32(1);
+                _S96 = u32(1);
             }
-            var _S103 : u32 = atomicAdd(&(cell_keys_0[_S101]), u32(1));
+            var _S98 : u32 = atomicAdd(&(cell_keys_0[_S96]), u32(1));
         }
     }
-    atomicStore(&(cell_keys_0[_S98]), u32(0));
+    atomicStore(&(cell_keys_0[_S93]), u32(0));
     set_cell_row_0(u32(0), cell_5, light_7);
     set_cell_row_0(u32(1), cell_5, face_1);
     return;
@@ -1181,9 +1181,9 @@ fn end_cells(@builtin(global_invocation_id) id_1 : vec3<u32>)
 
 fn squares_1() -> vec2<u32>
 {
-    var _S104 : vec2<u32> = vec2<u32>(u32(5));
-    var _S105 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S104 - vec2<u32>(u32(1))) / _S104;
-    return _S105;
+    var _S99 : vec2<u32> = vec2<u32>(u32(5));
+    var _S100 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S99 - vec2<u32>(u32(1))) / _S99;
+    return _S100;
 }
 
 fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
@@ -1194,42 +1194,42 @@ fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
 
 fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec4<f32>
 {
-    var _S106 : vec2<i32> = vec2<i32>(squares_1());
-    var _S107 : vec4<f32> = vec4<f32>(0.0f);
-    var _S108 : i32 = at_12.y;
-    var y_0 : i32 = max(_S108 - reach_1, i32(0));
-    var sum_4 : vec4<f32> = _S107;
+    var _S101 : vec2<i32> = vec2<i32>(squares_1());
+    var _S102 : vec4<f32> = vec4<f32>(0.0f);
+    var _S103 : i32 = at_12.y;
+    var y_0 : i32 = max(_S103 - reach_1, i32(0));
+    var sum_4 : vec4<f32> = _S102;
     for(;;)
     {
-        if(y_0 <= (min(_S108 + reach_1, _S106.y - i32(1))))
+        if(y_0 <= (min(_S103 + reach_1, _S101.y - i32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S109 : i32 = at_12.x;
-        var x_0 : i32 = max(_S109 - reach_1, i32(0));
+        var _S104 : i32 = at_12.x;
+        var x_0 : i32 = max(_S104 - reach_1, i32(0));
         var sum_5 : vec4<f32> = sum_4;
         for(;;)
         {
-            var _S110 : i32 = _S106.x;
-            if(x_0 <= (min(_S109 + reach_1, _S110 - i32(1))))
+            var _S105 : i32 = _S101.x;
+            if(x_0 <= (min(_S104 + reach_1, _S105 - i32(1))))
             {
             }
             else
             {
                 break;
             }
-            var square_1 : u32 = u32(y_0 * _S110 + x_0);
+            var square_1 : u32 = u32(y_0 * _S105 + x_0);
             var before_1 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(((real_time_0.number_0 - u32(1)) & (u32(1))), square_1)])));
             var now_0 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(u32(2), square_1)])));
-            var _S111 : vec3<f32> = now_0.xyz;
-            if((sqrt(length_squared_0(_S111 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S111 - real_time_0.before_place_0)))))
+            var _S106 : vec3<f32> = now_0.xyz;
+            if((sqrt(length_squared_0(_S106 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S106 - real_time_0.before_place_0)))))
             {
-                var _S112 : f32 = before_1.w;
-                var _S113 : f32 = now_0.w;
-                sum_5 = sum_5 + vec4<f32>(_S112, _S113, abs(_S113 - _S112), max(_S113, _S112));
+                var _S107 : f32 = before_1.w;
+                var _S108 : f32 = now_0.w;
+                sum_5 = sum_5 + vec4<f32>(_S107, _S108, abs(_S108 - _S107), max(_S108, _S107));
             }
             x_0 = x_0 + i32(1);
         }
@@ -1244,16 +1244,16 @@ fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec4<f32>
 fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
     var count_7 : vec2<u32> = squares_1();
-    var _S114 : u32 = id_2.x;
-    var _S115 : u32 = count_7.x;
-    if(_S114 >= (_S115 * count_7.y))
+    var _S109 : u32 = id_2.x;
+    var _S110 : u32 = count_7.x;
+    if(_S109 >= (_S110 * count_7.y))
     {
         return;
     }
-    var _S116 : u32 = _S114 % _S115;
-    var _S117 : i32 = i32(_S116);
-    var _S118 : u32 = _S114 / _S115;
-    var at_13 : vec2<i32> = vec2<i32>(_S117, i32(_S118));
+    var _S111 : u32 = _S109 % _S110;
+    var _S112 : i32 = i32(_S111);
+    var _S113 : u32 = _S109 / _S110;
+    var at_13 : vec2<i32> = vec2<i32>(_S112, i32(_S113));
     var changes_0 : vec4<f32> = changes_around_0(at_13, i32(1));
     var changes_1 : vec4<f32>;
     if((changes_0.w) <= 0.0f)
@@ -1264,18 +1264,18 @@ fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
     {
         changes_1 = changes_0;
     }
-    var _S119 : f32 = changes_1.w;
+    var _S114 : f32 = changes_1.w;
     var share_2 : f32;
-    if(_S119 > 0.0f)
+    if(_S114 > 0.0f)
     {
-        share_2 = min(changes_1.z / _S119, 1.0f);
+        share_2 = min(changes_1.z / _S114, 1.0f);
     }
     else
     {
         share_2 = 0.0f;
     }
-    var _S120 : f32 = changes_1.x;
-    memory_rows_0[place_of_square_0(u32(3), _S114)] = vec4<u32>((bitcast<u32>((share_2))), (bitcast<u32>((1.0f - clamp((share_2 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S120 - changes_1.y, 0.0f) / max(_S120, 1.00000000317107685e-30f))))), u32(0), u32(0));
+    var _S115 : f32 = changes_1.x;
+    memory_rows_0[place_of_square_0(u32(3), _S109)] = vec4<u32>((bitcast<u32>((share_2))), (bitcast<u32>((1.0f - clamp((share_2 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S115 - changes_1.y, 0.0f) / max(_S115, 1.00000000317107685e-30f))))), u32(0), u32(0));
     return;
 }
 
@@ -1298,19 +1298,19 @@ fn doubt(@builtin(global_invocation_id) id_3 : vec3<u32>)
         var index_16 : u32 = index_of_0(at_14);
         var square_2 : vec2<u32> = at_14 / vec2<u32>(u32(5));
         var change_0 : vec2<f32> = (bitcast<vec2<f32>>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_1().x + square_2.x)].xy)));
-        var _S121 : vec4<u32> = memory_row_0(u32(1), index_16);
-        var row_11 : vec4<u32> = _S121;
-        var _S122 : u32 = _S121.x;
-        var paths_0 : f32 = low_half_0(_S122);
+        var _S116 : vec4<u32> = memory_row_0(u32(1), index_16);
+        var row_11 : vec4<u32> = _S116;
+        var _S117 : u32 = _S116.x;
+        var paths_0 : f32 = low_half_0(_S117);
         var next_0 : f32 = 1.0f / (paths_0 + 1.0f);
-        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * change_0.x) - 1.0f), high_half_0(_S122));
+        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * change_0.x) - 1.0f), high_half_0(_S117));
         memory_rows_0[real_time_0.pixels_0 + index_16] = row_11;
-        var _S123 : vec4<u32> = memory_row_0(u32(2), index_16);
-        var lit_0 : vec4<u32> = _S123;
-        var _S124 : vec3<u32> = (bitcast<vec3<u32>>(((bitcast<vec3<f32>>((_S123.xyz))) * vec3<f32>(change_0.y))));
-        lit_0.x = _S124.x;
-        lit_0.y = _S124.y;
-        lit_0.z = _S124.z;
+        var _S118 : vec4<u32> = memory_row_0(u32(2), index_16);
+        var lit_0 : vec4<u32> = _S118;
+        var _S119 : vec3<u32> = (bitcast<vec3<u32>>(((bitcast<vec3<f32>>((_S118.xyz))) * vec3<f32>(change_0.y))));
+        lit_0.x = _S119.x;
+        lit_0.y = _S119.y;
+        lit_0.z = _S119.z;
         memory_rows_0[u32(2) * real_time_0.pixels_0 + index_16] = lit_0;
     }
     return;
@@ -1329,21 +1329,21 @@ struct Sample_0
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_9 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_2 : vec3<f32>,  place_2 : vec3<f32>,  instance_3 : u32) -> Sample_0
 {
-    var _S125 : Sample_0;
-    _S125.direct_0 = direct_1;
-    _S125.light_8 = light_9;
-    _S125.is_shown_0 = is_shown_1;
-    _S125.albedo_0 = albedo_1;
-    _S125.normal_1 = normal_2;
-    _S125.place_1 = place_2;
-    _S125.instance_2 = instance_3;
-    return _S125;
+    var _S120 : Sample_0;
+    _S120.direct_0 = direct_1;
+    _S120.light_8 = light_9;
+    _S120.is_shown_0 = is_shown_1;
+    _S120.albedo_0 = albedo_1;
+    _S120.normal_1 = normal_2;
+    _S120.place_1 = place_2;
+    _S120.instance_2 = instance_3;
+    return _S120;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S126 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S126, _S126, false, _S126, _S126, _S126, u32(4294967295));
+    var _S121 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S121, _S121, false, _S121, _S121, _S121, u32(4294967295));
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -1353,16 +1353,16 @@ fn has_0( flag_0 : u32) -> bool
 
 fn traces_0( at_15 : vec2<i32>) -> bool
 {
-    var _S127 : bool;
+    var _S122 : bool;
     if(!has_0(u32(128)))
     {
-        _S127 = true;
+        _S122 = true;
     }
     else
     {
-        _S127 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
+        _S122 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
     }
-    return _S127;
+    return _S122;
 }
 
 fn load_sample_0( index_17 : u32) -> Sample_0
@@ -1376,9 +1376,9 @@ fn load_sample_0( index_17 : u32) -> Sample_0
     sample_0.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_17)))), d_0.x);
     sample_0.place_1 = vec3<f32>(d_0.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_17)))));
     sample_0.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_17)))), (bitcast<f32>((g_0.x))));
-    var _S128 : u32 = g_0.y;
-    sample_0.normal_1 = normal_in_0(_S128);
-    sample_0.is_shown_0 = ((_S128 & (u32(1073741824)))) != u32(0);
+    var _S123 : u32 = g_0.y;
+    sample_0.normal_1 = normal_in_0(_S123);
+    sample_0.is_shown_0 = ((_S123 & (u32(1073741824)))) != u32(0);
     return sample_0;
 }
 
@@ -1393,39 +1393,39 @@ fn neighbour_0( which_0 : u32) -> vec2<i32>
     {
         side_0 = i32(-1);
     }
-    var _S129 : vec2<i32>;
+    var _S124 : vec2<i32>;
     if(((which_0 & (u32(1)))) != u32(0))
     {
-        _S129 = vec2<i32>(i32(0), side_0);
+        _S124 = vec2<i32>(i32(0), side_0);
     }
     else
     {
-        _S129 = vec2<i32>(side_0, i32(0));
+        _S124 = vec2<i32>(side_0, i32(0));
     }
-    return _S129;
+    return _S124;
 }
 
 fn sample_at_0( at_16 : vec2<i32>) -> Sample_0
 {
-    var _S130 : Sample_0 = no_sample_0();
+    var _S125 : Sample_0 = no_sample_0();
     if(traces_0(at_16))
     {
         return load_sample_0(index_of_0(vec2<u32>(at_16)));
     }
-    var sample_1 : Sample_0 = _S130;
+    var sample_1 : Sample_0 = _S125;
     var turn_0 : u32 = u32(0);
     for(;;)
     {
-        var _S131 : bool;
+        var _S126 : bool;
         if(turn_0 < u32(4))
         {
-            _S131 = !sample_1.is_shown_0;
+            _S126 = !sample_1.is_shown_0;
         }
         else
         {
-            _S131 = false;
+            _S126 = false;
         }
-        if(_S131)
+        if(_S126)
         {
         }
         else
@@ -1452,12 +1452,12 @@ struct Wanted_0
 
 fn Wanted_x24init_0( is_shown_3 : bool,  place_4 : vec3<f32>,  normal_4 : vec3<f32>,  tolerance_1 : f32) -> Wanted_0
 {
-    var _S132 : Wanted_0;
-    _S132.is_shown_2 = is_shown_3;
-    _S132.place_3 = place_4;
-    _S132.normal_3 = normal_4;
-    _S132.tolerance_0 = tolerance_1;
-    return _S132;
+    var _S127 : Wanted_0;
+    _S127.is_shown_2 = is_shown_3;
+    _S127.place_3 = place_4;
+    _S127.normal_3 = normal_4;
+    _S127.tolerance_0 = tolerance_1;
+    return _S127;
 }
 
 struct CameraFrame_0
@@ -1474,16 +1474,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S133 : CameraFrame_0;
-    _S133.lens_1 = lens_2;
-    _S133.eye_2 = eye_3;
-    _S133.corner_1 = corner_2;
-    _S133.pixel_x_1 = pixel_x_2;
-    _S133.pixel_y_1 = pixel_y_2;
-    _S133.lens_x_1 = lens_x_2;
-    _S133.lens_y_1 = lens_y_2;
-    _S133.blades_1 = blades_2;
-    return _S133;
+    var _S128 : CameraFrame_0;
+    _S128.lens_1 = lens_2;
+    _S128.eye_2 = eye_3;
+    _S128.corner_1 = corner_2;
+    _S128.pixel_x_1 = pixel_x_2;
+    _S128.pixel_y_1 = pixel_y_2;
+    _S128.lens_x_1 = lens_x_2;
+    _S128.lens_y_1 = lens_y_2;
+    _S128.blades_1 = blades_2;
+    return _S128;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -1498,12 +1498,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S134 : Perspective_0;
-    _S134.eye_4 = eye_5;
-    _S134.corner_3 = corner_4;
-    _S134.pixel_x_3 = pixel_x_4;
-    _S134.pixel_y_3 = pixel_y_4;
-    return _S134;
+    var _S129 : Perspective_0;
+    _S129.eye_4 = eye_5;
+    _S129.corner_3 = corner_4;
+    _S129.pixel_x_3 = pixel_x_4;
+    _S129.pixel_y_3 = pixel_y_4;
+    return _S129;
 }
 
 struct Axes_0
@@ -1515,11 +1515,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S135 : Axes_0;
-    _S135.forward_0 = forward_1;
-    _S135.right_0 = right_1;
-    _S135.up_0 = up_1;
-    return _S135;
+    var _S130 : Axes_0;
+    _S130.forward_0 = forward_1;
+    _S130.right_0 = right_1;
+    _S130.up_0 = up_1;
+    return _S130;
 }
 
 struct ThinLens_0
@@ -1532,28 +1532,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S136 : ThinLens_0;
-    _S136.perspective_0 = perspective_1;
-    _S136.lens_x_3 = lens_x_4;
-    _S136.lens_y_3 = lens_y_4;
-    _S136.blades_3 = blades_4;
-    return _S136;
+    var _S131 : ThinLens_0;
+    _S131.perspective_0 = perspective_1;
+    _S131.lens_x_3 = lens_x_4;
+    _S131.lens_y_3 = lens_y_4;
+    _S131.blades_3 = blades_4;
+    return _S131;
 }
 
 fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
     var a_2 : f32 = 2.0f * square_3.x - 1.0f;
     var b_3 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S137 : bool;
+    var _S132 : bool;
     if(a_2 == 0.0f)
     {
-        _S137 = b_3 == 0.0f;
+        _S132 = b_3 == 0.0f;
     }
     else
     {
-        _S137 = false;
+        _S132 = false;
     }
-    if(_S137)
+    if(_S132)
     {
         return vec2<f32>(0.0f);
     }
@@ -1580,7 +1580,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S138 : f32 = abs(radius_0);
+    var _S133 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -1589,7 +1589,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S138, radius_0);
+    return vec2<f32>(_S133, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1635,18 +1635,18 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_3 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S139 : f32 = from_0.y;
-    var _S140 : f32 = from_0.x;
-    return vec2<f32>(_S139 + (to_0.y - _S139) * share_3, _S140 + (to_0.x - _S140) * share_3) * vec2<f32>(radius_1);
+    var _S134 : f32 = from_0.y;
+    var _S135 : f32 = from_0.x;
+    return vec2<f32>(_S134 + (to_0.y - _S134) * share_3, _S135 + (to_0.x - _S135) * share_3) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S141 : i32 = i32(guess_1);
-    var root_0 : i32 = _S141 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S141 + root_0);
+    var _S136 : i32 = i32(guess_1);
+    var root_0 : i32 = _S136 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S136 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -1656,13 +1656,13 @@ fn square_root_0( value_3 : f32) -> f32
     {
         return sqrt(value_3);
     }
-    var _S142 : u32 = (bitcast<u32>((value_3)));
-    var exponent_2 : u32 = (_S142 >> (u32(23)));
+    var _S137 : u32 = (bitcast<u32>((value_3)));
+    var exponent_2 : u32 = (_S137 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_3);
     }
-    var mantissa_1 : u32 = (((((_S142 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S137 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1681,12 +1681,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S143 : Ray_0;
-    _S143.origin_0 = origin_1;
-    _S143.t_min_0 = t_min_1;
-    _S143.direction_0 = direction_1;
-    _S143.t_max_0 = t_max_1;
-    return _S143;
+    var _S138 : Ray_0;
+    _S138.origin_0 = origin_1;
+    _S138.t_min_0 = t_min_1;
+    _S138.direction_0 = direction_1;
+    _S138.t_max_0 = t_max_1;
+    return _S138;
 }
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
@@ -1711,12 +1711,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S144 : Orthographic_0;
-    _S144.corner_5 = corner_6;
-    _S144.pixel_x_5 = pixel_x_6;
-    _S144.pixel_y_5 = pixel_y_6;
-    _S144.forward_2 = forward_3;
-    return _S144;
+    var _S139 : Orthographic_0;
+    _S139.corner_5 = corner_6;
+    _S139.pixel_x_5 = pixel_x_6;
+    _S139.pixel_y_5 = pixel_y_6;
+    _S139.forward_2 = forward_3;
+    return _S139;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -1734,12 +1734,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S145 : Panorama_0;
-    _S145.eye_6 = eye_7;
-    _S145.axes_0 = axes_1;
-    _S145.inverse_size_0 = inverse_size_1;
-    _S145.half_eye_distance_0 = half_eye_distance_1;
-    return _S145;
+    var _S140 : Panorama_0;
+    _S140.eye_6 = eye_7;
+    _S140.axes_0 = axes_1;
+    _S140.inverse_size_0 = inverse_size_1;
+    _S140.half_eye_distance_0 = half_eye_distance_1;
+    return _S140;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -1766,9 +1766,9 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S146 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S147 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S147 - this_4.axes_0.right_0 * _S146) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S146 + this_4.axes_0.right_0 * _S147) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S141 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S142 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S142 - this_4.axes_0.right_0 * _S141) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S141 + this_4.axes_0.right_0 * _S142) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -1781,12 +1781,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S148 : Fisheye_0;
-    _S148.eye_8 = eye_9;
-    _S148.axes_2 = axes_3;
-    _S148.middle_0 = middle_1;
-    _S148.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S148;
+    var _S143 : Fisheye_0;
+    _S143.eye_8 = eye_9;
+    _S143.axes_2 = axes_3;
+    _S143.middle_0 = middle_1;
+    _S143.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S143;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -1851,26 +1851,26 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_2 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S149 : Lit_0;
-    _S149.paths_1 = paths_2;
-    _S149.light_10 = light_11;
-    _S149.shaded_1 = shaded_2;
-    _S149.moments_0 = moments_1;
-    return _S149;
+    var _S144 : Lit_0;
+    _S144.paths_1 = paths_2;
+    _S144.light_10 = light_11;
+    _S144.shaded_1 = shaded_2;
+    _S144.moments_0 = moments_1;
+    return _S144;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S150 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S150, _S150, _S150);
+    var _S145 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S145, _S145, _S145);
 }
 
 fn cubic_weights_0( t_0 : f32) -> vec4<f32>
 {
     var tt_0 : f32 = t_0 * t_0;
     var ttt_0 : f32 = tt_0 * t_0;
-    var _S151 : f32 = 3.0f * ttt_0;
-    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S151 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S151 + t_0, ttt_0 - tt_0);
+    var _S146 : f32 = 3.0f * ttt_0;
+    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S146 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S146 + t_0, ttt_0 - tt_0);
 }
 
 fn shown_in_0( word_3 : u32) -> vec3<f32>
@@ -1880,17 +1880,17 @@ fn shown_in_0( word_3 : u32) -> vec3<f32>
 
 fn word_of_0( color_17 : vec3<f32>) -> u32
 {
-    var _S152 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
-    var _S153 : i32 = max(i32(((bitcast<u32>((max(max(_S152.x, _S152.y), _S152.z)))) >> (u32(23)))) - i32(126), i32(-15));
-    var parts_0 : vec3<u32> = min(vec3<u32>(_S152 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S153) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
-    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S153 + i32(15)) << (u32(27)))))), u32(134217728));
+    var _S147 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
+    var _S148 : i32 = max(i32(((bitcast<u32>((max(max(_S147.x, _S147.y), _S147.z)))) >> (u32(23)))) - i32(126), i32(-15));
+    var parts_0 : vec3<u32> = min(vec3<u32>(_S147 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S148) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
+    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S148 + i32(15)) << (u32(27)))))), u32(134217728));
 }
 
 fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>) -> u32
 {
-    var _S154 : vec3<f32> = vec3<f32>(0.0f);
+    var _S149 : vec3<f32> = vec3<f32>(0.0f);
     var place_6 : i32 = i32(0);
-    var sum_6 : vec3<f32> = _S154;
+    var sum_6 : vec3<f32> = _S149;
     for(;;)
     {
         if(place_6 < i32(16))
@@ -1900,15 +1900,15 @@ fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>)
         {
             break;
         }
-        var _S155 : i32 = (place_6 & (i32(3)));
-        var _S156 : i32 = (place_6 >> (u32(2)));
-        var _S157 : vec2<i32> = vec2<i32>(i32(1));
-        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S155, _S156) - _S157, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S157)))).w;
+        var _S150 : i32 = (place_6 & (i32(3)));
+        var _S151 : i32 = (place_6 >> (u32(2)));
+        var _S152 : vec2<i32> = vec2<i32>(i32(1));
+        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S150, _S151) - _S152, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S152)))).w;
         if(word_4 == u32(0))
         {
             return u32(0);
         }
-        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S155] * down_0[_S156]));
+        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S150] * down_0[_S151]));
         place_6 = place_6 + i32(1);
         sum_6 = sum_7;
     }
@@ -1923,29 +1923,29 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     {
         return (low_half_0(word_5)) < 0.44600000977516174f;
     }
-    var _S158 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S158);
+    var _S153 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S153);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_3));
     var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_5));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S159 : bool;
-    if(((_S158 & (u32(1073741824)))) != u32(0))
+    var _S154 : bool;
+    if(((_S153 & (u32(1073741824)))) != u32(0))
     {
-        _S159 = distance_1 <= tolerance_2;
+        _S154 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S159 = false;
+        _S154 = false;
     }
-    if(_S159)
+    if(_S154)
     {
-        _S159 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S154 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S159 = false;
+        _S154 = false;
     }
-    return _S159;
+    return _S154;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -1955,16 +1955,16 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S160 : u32;
+    var _S155 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S160 = index_19;
+        _S155 = index_19;
     }
     else
     {
-        _S160 = real_time_0.pixels_0;
+        _S155 = real_time_0.pixels_0;
     }
-    return _S160;
+    return _S155;
 }
 
 fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
@@ -1976,12 +1976,12 @@ fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S161 : u32 = words_2.x;
-    var _S162 : u32 = words_2.y;
-    var _S163 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S161), high_half_0(_S161), low_half_0(_S162)), vec3<f32>(0.0f));
-    var lit_1 : Lit_0 = _S163;
-    var _S164 : u32 = words_2.z;
-    lit_1.moments_0 = Lit_products_0(_S163, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S162), low_half_0(_S164), high_half_0(_S164)));
+    var _S156 : u32 = words_2.x;
+    var _S157 : u32 = words_2.y;
+    var _S158 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S156), high_half_0(_S156), low_half_0(_S157)), vec3<f32>(0.0f));
+    var lit_1 : Lit_0 = _S158;
+    var _S159 : u32 = words_2.z;
+    lit_1.moments_0 = Lit_products_0(_S158, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S157), low_half_0(_S159), high_half_0(_S159)));
     return lit_1;
 }
 
@@ -1995,10 +1995,10 @@ fn load_lit_0( index_20 : u32) -> Lit_0
 fn add_weighed_0( sum_8 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
 {
     (*sum_8).paths_1 = (*sum_8).paths_1 + lit_2.paths_1 * weight_5;
-    var _S165 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S165;
-    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S165;
-    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S165;
+    var _S160 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S160;
+    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S160;
+    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S160;
     return;
 }
 
@@ -2016,38 +2016,38 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
     var place_7 : i32 = i32(0);
     for(;;)
     {
-        var _S166 : bool;
+        var _S161 : bool;
         if(place_7 < i32(16))
         {
-            _S166 = is_whole_0;
+            _S161 = is_whole_0;
         }
         else
         {
-            _S166 = false;
+            _S161 = false;
         }
-        if(_S166)
+        if(_S161)
         {
         }
         else
         {
             break;
         }
-        var _S167 : i32 = (place_7 & (i32(3)));
-        var _S168 : i32 = (place_7 >> (u32(2)));
-        var step_3 : vec2<i32> = vec2<i32>(_S167, _S168);
-        var _S169 : f32 = across_1[_S167] * down_1[_S168];
-        if(_S169 == 0.0f)
+        var _S162 : i32 = (place_7 & (i32(3)));
+        var _S163 : i32 = (place_7 >> (u32(2)));
+        var step_2 : vec2<i32> = vec2<i32>(_S162, _S163);
+        var _S164 : f32 = across_1[_S162] * down_1[_S163];
+        if(_S164 == 0.0f)
         {
             place_7 = place_7 + i32(1);
             continue;
         }
-        var index_21 : u32 = pixel_before_0(wanted_2, corner_8 + step_3 - vec2<i32>(i32(1)));
+        var index_21 : u32 = pixel_before_0(wanted_2, corner_8 + step_2 - vec2<i32>(i32(1)));
         var is_whole_1 : bool = index_21 != (real_time_0.pixels_0);
         var least_2 : f32;
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_3)), other_8, _S169);
+            add_weighed_0(&((*lit_3)), other_8, _S164);
             least_2 = min(least_1, other_8.paths_1);
         }
         else
@@ -2059,10 +2059,10 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         place_7 = place_7 + i32(1);
     }
     (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
-    var _S170 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
+    var _S165 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S170 >= 0.0f;
+        is_whole_0 = _S165 >= 0.0f;
     }
     else
     {
@@ -2085,30 +2085,30 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
         {
             break;
         }
-        var _S171 : i32 = i32((place_8 & (u32(1))));
-        var _S172 : i32 = i32((place_8 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S171, _S172));
+        var _S166 : i32 = i32((place_8 & (u32(1))));
+        var _S167 : i32 = i32((place_8 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S166, _S167));
         if(index_22 != (real_time_0.pixels_0))
         {
-            var _S173 : f32;
-            if(_S171 == i32(0))
+            var _S168 : f32;
+            if(_S166 == i32(0))
             {
-                _S173 = 1.0f - share_4.x;
+                _S168 = 1.0f - share_4.x;
             }
             else
             {
-                _S173 = share_4.x;
+                _S168 = share_4.x;
             }
-            var _S174 : f32;
-            if(_S172 == i32(0))
+            var _S169 : f32;
+            if(_S167 == i32(0))
             {
-                _S174 = 1.0f - share_4.y;
+                _S169 = 1.0f - share_4.y;
             }
             else
             {
-                _S174 = share_4.y;
+                _S169 = share_4.y;
             }
-            var weight_6 : f32 = _S173 * _S174;
+            var weight_6 : f32 = _S168 * _S169;
             add_weighed_0(&((*lit_4)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
@@ -2116,10 +2116,10 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
     (*lit_4).paths_1 = (*lit_4).paths_1 * scale_1;
-    var _S175 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_4).light_10 = (*lit_4).light_10 * _S175;
-    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S175;
-    (*lit_4).moments_0 = (*lit_4).moments_0 * _S175;
+    var _S170 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_4).light_10 = (*lit_4).light_10 * _S170;
+    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S170;
+    (*lit_4).moments_0 = (*lit_4).moments_0 * _S170;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2141,16 +2141,16 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S176 : bool;
+        var _S171 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S176 = distance_2 < (least_3 - 0.00100000004749745f);
+            _S171 = distance_2 < (least_3 - 0.00100000004749745f);
         }
         else
         {
-            _S176 = false;
+            _S171 = false;
         }
-        if(_S176)
+        if(_S171)
         {
             least_3 = distance_2;
             best_0 = index_23;
@@ -2173,8 +2173,8 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
 {
     (*shown_0) = u32(0);
     var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_2.is_shown_0, sample_2.place_1, sample_2.normal_1, 0.0f);
-    var _S177 : vec2<f32> = vec2<f32>(0.5f);
-    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S177, vec2<f32>(0.5f));
+    var _S172 : vec2<f32> = vec2<f32>(0.5f);
+    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S172, vec2<f32>(0.5f));
     var along_0 : f32;
     if(sample_2.is_shown_0)
     {
@@ -2212,39 +2212,39 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
         var place_10 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
         var between_0 : vec4<f32> = vec4<f32>(middle_2, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_2.normal_1, 0.0f);
-        var _S178 : u32 = row_12 + u32(1);
-        var _S179 : u32 = row_12 + u32(2);
-        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_10), dot(motions_1[_S178], place_10), dot(motions_1[_S179], place_10));
-        var _S180 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S178], between_0), dot(motions_1[_S179], between_0));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S178], normal_6), dot(motions_1[_S179], normal_6));
+        var _S173 : u32 = row_12 + u32(1);
+        var _S174 : u32 = row_12 + u32(2);
+        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_10), dot(motions_1[_S173], place_10), dot(motions_1[_S174], place_10));
+        var _S175 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S173], between_0), dot(motions_1[_S174], between_0));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S173], normal_6), dot(motions_1[_S174], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
-        middle_3 = _S180;
+        middle_3 = _S175;
     }
     else
     {
         middle_3 = middle_2;
     }
     var way_1 : vec3<f32> = middle_3 - real_time_0.before_origin_0;
-    var _S181 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var _S176 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S182 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S177 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S181 > 9.99999997475242708e-07f;
+            is_seen_0 = _S176 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S182 / vec2<f32>(max(_S181, 9.99999997475242708e-07f));
+        at_19 = _S177 / vec2<f32>(max(_S176, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S182;
+        at_19 = _S177;
     }
     if(!is_seen_0)
     {
@@ -2258,26 +2258,26 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     {
         return not_lit_0();
     }
-    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S177;
+    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S172;
     var at_20 : vec2<f32> = select(at_19, middle_of_pixel_0, (abs(at_19 - middle_of_pixel_0)) <= vec2<f32>(0.00100000004749745f));
-    var _S183 : vec2<f32> = at_20 - _S177;
-    var corner_10 : vec2<f32> = floor(_S183);
-    var share_5 : vec2<f32> = _S183 - corner_10;
+    var _S178 : vec2<f32> = at_20 - _S172;
+    var corner_10 : vec2<f32> = floor(_S178);
+    var share_5 : vec2<f32> = _S178 - corner_10;
     var across_2 : vec4<f32> = cubic_weights_0(share_5.x);
     var down_2 : vec4<f32> = cubic_weights_0(share_5.y);
     if(is_inside_0(vec2<i32>(floor(at_20))))
     {
         (*shown_0) = shown_at_0(vec2<i32>(corner_10), across_2, down_2);
     }
-    var _S184 : vec2<i32> = vec2<i32>(corner_10);
+    var _S179 : vec2<i32> = vec2<i32>(corner_10);
     var lit_5 : Lit_0;
-    var _S185 : bool = cubic_0(wanted_5, _S184, across_2, down_2, &(lit_5));
-    if(_S185)
+    var _S180 : bool = cubic_0(wanted_5, _S179, across_2, down_2, &(lit_5));
+    if(_S180)
     {
         return lit_5;
     }
-    var _S186 : bool = linear_mean_0(wanted_5, _S184, share_5, &(lit_5));
-    if(!_S186)
+    var _S181 : bool = linear_mean_0(wanted_5, _S179, share_5, &(lit_5));
+    if(!_S181)
     {
         lit_5 = nearest_0(wanted_5, at_20);
     }
@@ -2288,8 +2288,8 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S187 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S187), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S187);
+    var _S182 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S182), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S182);
 }
 
 fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
@@ -2314,11 +2314,11 @@ fn store_known_0( index_24 : u32,  lit_7 : Lit_0,  shown_1 : u32)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S188 : vec2<i32> = vec2<i32>(at_21);
-    if(is_inside_0(_S188))
+    var _S183 : vec2<i32> = vec2<i32>(at_21);
+    if(is_inside_0(_S183))
     {
         var shown_2 : u32;
-        var lit_8 : Lit_0 = lit_before_0(sample_at_0(_S188), at_21, &(shown_2));
+        var lit_8 : Lit_0 = lit_before_0(sample_at_0(_S183), at_21, &(shown_2));
         store_known_0(index_of_0(at_21), lit_8, shown_2);
     }
     return;
@@ -2339,23 +2339,23 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_10 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_12 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32,  shown_4 : u32) -> Memory_0
 {
-    var _S189 : Memory_0;
-    _S189.lit_9 = lit_10;
-    _S189.looks_0 = looks_1;
-    _S189.direct_2 = direct_3;
-    _S189.albedo_2 = albedo_3;
-    _S189.normal_7 = normal_8;
-    _S189.place_11 = place_12;
-    _S189.roughness_0 = roughness_1;
-    _S189.coverage_0 = coverage_1;
-    _S189.shown_3 = shown_4;
-    return _S189;
+    var _S184 : Memory_0;
+    _S184.lit_9 = lit_10;
+    _S184.looks_0 = looks_1;
+    _S184.direct_2 = direct_3;
+    _S184.albedo_2 = albedo_3;
+    _S184.normal_7 = normal_8;
+    _S184.place_11 = place_12;
+    _S184.roughness_0 = roughness_1;
+    _S184.coverage_0 = coverage_1;
+    _S184.shown_3 = shown_4;
+    return _S184;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S190 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S190, _S190, _S190, _S190, 0.0f, 0.0f, u32(0));
+    var _S185 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S185, _S185, _S185, _S185, 0.0f, 0.0f, u32(0));
 }
 
 fn load_memory_0( index_25 : u32) -> Memory_0
@@ -2366,16 +2366,16 @@ fn load_memory_0( index_25 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_9 = load_lit_0(index_25);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S191 : u32 = seen_0.x;
-    var _S192 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S191), high_half_0(_S191), low_half_0(_S192));
-    var _S193 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S192), low_half_0(_S193), high_half_0(_S193));
+    var _S186 : u32 = seen_0.x;
+    var _S187 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S186), high_half_0(_S186), low_half_0(_S187));
+    var _S188 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S187), low_half_0(_S188), high_half_0(_S188));
     memory_0.normal_7 = normal_in_0(surface_3.w);
     memory_0.place_11 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S194 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S194);
-    memory_0.coverage_0 = low_half_0(_S194);
+    var _S189 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S189);
+    memory_0.coverage_0 = low_half_0(_S189);
     memory_0.shown_3 = seen_0.w;
     return memory_0;
 }
@@ -2391,9 +2391,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_26 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_26);
-    var _S195 : u32 = light_14.y;
-    var _S196 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S195), vec3<f32>(low_half_0(_S196), high_half_0(_S196), low_half_0(_S195)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
+    var _S190 : u32 = light_14.y;
+    var _S191 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S190), vec3<f32>(low_half_0(_S191), high_half_0(_S191), low_half_0(_S190)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
 }
 
 fn memory_before_0( index_27 : u32) -> Memory_0
@@ -2429,12 +2429,12 @@ fn in_ten_bits_0( normal_10 : vec3<f32>) -> vec3<f32>
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 {
-    var _S197 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S197;
-    var share_6 : f32 = 1.0f / _S197;
-    var _S198 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S198;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S198;
+    var _S192 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S192;
+    var share_6 : f32 = 1.0f / _S192;
+    var _S193 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S193;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S193;
     if(!sample_3.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2444,9 +2444,9 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_11;
-    var _S199 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S199);
-    (*this_11).place_11 = (*this_11).place_11 + (sample_3.place_1 - (*this_11).place_11) * _S199;
+    var _S194 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S194);
+    (*this_11).place_11 = (*this_11).place_11 + (sample_3.place_1 - (*this_11).place_11) * _S194;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
@@ -2457,47 +2457,47 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S200 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S200;
+    var _S195 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S195;
     var l_1 : f32 = luminance_0(found_1);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S201 : vec3<f32> = vec3<f32>((1.0f / _S200));
-    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S201;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S201;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S201;
+    var _S196 : vec3<f32> = vec3<f32>((1.0f / _S195));
+    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S196;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S196;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S196;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_4);
-    var _S202 : Lit_0 = (*this_13).lit_9;
-    Lit_add_0(&(_S202), sample_4.light_8, sample_4.albedo_0, most_1);
-    (*this_13).lit_9 = _S202;
+    var _S197 : Lit_0 = (*this_13).lit_9;
+    Lit_add_0(&(_S197), sample_4.light_8, sample_4.albedo_0, most_1);
+    (*this_13).lit_9 = _S197;
     return;
 }
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S203 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
-    return (((((u32(_S203.x) & (u32(1023)))) | (((((u32(_S203.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S203.z) & (u32(1023)))) << (u32(20))))));
+    var _S198 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
+    return (((((u32(_S198.x) & (u32(1023)))) | (((((u32(_S198.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S198.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_9);
-    var _S204 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S205 : u32;
+    var _S199 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S200 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S205 = u32(1073741824);
+        _S200 = u32(1073741824);
     }
     else
     {
-        _S205 = u32(0);
+        _S200 = u32(0);
     }
-    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S204 | (_S205)));
+    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S199 | (_S200)));
     memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_9.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_9.light_10))), words_4.z);
     memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_3);
@@ -2509,30 +2509,30 @@ fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_22 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S206 : vec2<i32> = vec2<i32>(at_22);
-    var _S207 : bool;
-    if(is_inside_0(_S206))
+    var _S201 : vec2<i32> = vec2<i32>(at_22);
+    var _S202 : bool;
+    if(is_inside_0(_S201))
     {
-        _S207 = !traces_0(_S206);
+        _S202 = !traces_0(_S201);
     }
     else
     {
-        _S207 = false;
+        _S202 = false;
     }
-    if(_S207)
+    if(_S202)
     {
         var index_29 : u32 = index_of_0(at_22);
         var memory_3 : Memory_0 = memory_before_0(index_29);
         var is_lit_0 : bool = (memory_3.lit_9.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S207 = true;
+            _S202 = true;
         }
         else
         {
-            _S207 = !has_0(u32(8));
+            _S202 = !has_0(u32(8));
         }
-        if(_S207)
+        if(_S202)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2544,7 +2544,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S206 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S201 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2621,10 +2621,10 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_30 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_30);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
-            var _S208 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S208 * light_15;
+            var _S203 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S203 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_11 = sum_11 + _S208;
+            sum_11 = sum_11 + _S203;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2670,21 +2670,21 @@ fn begin_filter_0( at_24 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S209 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S210 : vec2<i32> = vec2<i32>(_S209);
-    if(is_inside_0(_S210))
+    var _S204 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S205 : vec2<i32> = vec2<i32>(_S204);
+    if(is_inside_0(_S205))
     {
-        begin_filter_0(_S210);
+        begin_filter_0(_S205);
     }
     return;
 }
 
-fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_4 : i32) -> vec2<f32>
+fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 {
-    var _S211 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
-    var _S212 : vec2<f32> = vec2<f32>(0.0f);
+    var _S206 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
+    var _S207 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_12 : vec2<f32> = _S212;
+    var sum_12 : vec2<f32> = _S207;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2707,15 +2707,14 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_4 : i32) -> vec2<f32>
             {
                 break;
             }
-            var _S213 : vec2<i32> = vec2<i32>(dx_8, dy_8);
-            var other_10 : vec2<i32> = at_25 + _S213 * vec2<i32>(step_4);
+            var other_10 : vec2<i32> = at_25 + vec2<i32>(dx_8, dy_8) * vec2<i32>(step_3);
             if(!is_inside_0(other_10))
             {
                 dx_8 = dx_8 + i32(1);
                 continue;
             }
             var index_32 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = spline_0(_S213) * Center_alike_0(_S211, index_32);
+            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S206, index_32);
             var weights_21 : f32 = weights_20 + weight_8;
             sum_13 = sum_13 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
             weights_20 = weights_21;
@@ -2741,11 +2740,11 @@ fn compare_around_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S214 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S215 : vec2<i32> = vec2<i32>(_S214);
-    if(is_inside_0(_S215))
+    var _S208 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S209 : vec2<i32> = vec2<i32>(_S208);
+    if(is_inside_0(_S209))
     {
-        compare_around_0(_S215);
+        compare_around_0(_S209);
     }
     return;
 }
@@ -2757,9 +2756,9 @@ fn estimate_noise_0( at_27 : vec2<i32>)
     var color_19 : vec4<f32> = color_in_0(u32(0), index_34);
     color_19[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
     set_color_0(u32(0), index_34, color_19);
-    var _S216 : vec2<f32> = vec2<f32>(0.0f);
+    var _S210 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_14 : vec2<f32> = _S216;
+    var sum_14 : vec2<f32> = _S210;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2790,11 +2789,11 @@ fn estimate_noise_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S217 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S218 : vec2<i32> = vec2<i32>(_S217);
-    if(is_inside_0(_S218))
+    var _S211 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S212 : vec2<i32> = vec2<i32>(_S211);
+    if(is_inside_0(_S212))
     {
-        estimate_noise_0(_S218);
+        estimate_noise_0(_S212);
     }
     return;
 }
@@ -2804,7 +2803,7 @@ fn set_tolerance_0( at_28 : vec2<i32>)
     var index_35 : u32 = index_of_0(vec2<u32>(at_28));
     var mean_1 : vec2<f32> = mean_down_0(u32(3), at_28, i32(8));
     var excess_0 : f32 = mean_1.x / max(mean_1.y, 1.00000000317107685e-30f);
-    set_color_0(u32(2), index_35, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(6.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 10.0f * (1.0f + 8.0f / max(low_half_0(memory_row_0(u32(1), index_35).x), 1.0f)))));
+    set_color_0(u32(2), index_35, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(10.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 10.0f * (1.0f + 8.0f / max(low_half_0(memory_row_0(u32(1), index_35).x), 1.0f)))));
     return;
 }
 
@@ -2812,11 +2811,11 @@ fn set_tolerance_0( at_28 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S219 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S220 : vec2<i32> = vec2<i32>(_S219);
-    if(is_inside_0(_S220))
+    var _S213 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S214 : vec2<i32> = vec2<i32>(_S213);
+    if(is_inside_0(_S214))
     {
-        set_tolerance_0(_S220);
+        set_tolerance_0(_S214);
     }
     return;
 }
@@ -2825,11 +2824,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S221 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S222 : vec2<i32> = vec2<i32>(_S221);
-    if(is_inside_0(_S222))
+    var _S215 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S216 : vec2<i32> = vec2<i32>(_S215);
+    if(is_inside_0(_S216))
     {
-        smooth_light_4(_S222);
+        smooth_light_4(_S216);
     }
     return;
 }
@@ -2838,11 +2837,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S223 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S224 : vec2<i32> = vec2<i32>(_S223);
-    if(is_inside_0(_S224))
+    var _S217 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S218 : vec2<i32> = vec2<i32>(_S217);
+    if(is_inside_0(_S218))
     {
-        smooth_light_3(_S224);
+        smooth_light_3(_S218);
     }
     return;
 }
@@ -2851,11 +2850,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S225 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S226 : vec2<i32> = vec2<i32>(_S225);
-    if(is_inside_0(_S226))
+    var _S219 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S220 : vec2<i32> = vec2<i32>(_S219);
+    if(is_inside_0(_S220))
     {
-        smooth_light_2(_S226);
+        smooth_light_2(_S220);
     }
     return;
 }
@@ -2864,11 +2863,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S227 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S228 : vec2<i32> = vec2<i32>(_S227);
-    if(is_inside_0(_S228))
+    var _S221 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S222 : vec2<i32> = vec2<i32>(_S221);
+    if(is_inside_0(_S222))
     {
-        smooth_light_1(_S228);
+        smooth_light_1(_S222);
     }
     return;
 }
@@ -2877,11 +2876,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S229 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S230 : vec2<i32> = vec2<i32>(_S229);
-    if(is_inside_0(_S230))
+    var _S223 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S224 : vec2<i32> = vec2<i32>(_S223);
+    if(is_inside_0(_S224))
     {
-        smooth_light_0(_S230);
+        smooth_light_0(_S224);
     }
     return;
 }
@@ -2890,11 +2889,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S231 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S232 : vec2<i32> = vec2<i32>(_S231);
-    if(is_inside_0(_S232))
+    var _S225 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S226 : vec2<i32> = vec2<i32>(_S225);
+    if(is_inside_0(_S226))
     {
-        end_levels_0(_S232);
+        end_levels_0(_S226);
     }
     return;
 }
@@ -2903,11 +2902,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S233 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S234 : vec2<i32> = vec2<i32>(_S233);
-    if(is_inside_0(_S234))
+    var _S227 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S228 : vec2<i32> = vec2<i32>(_S227);
+    if(is_inside_0(_S228))
     {
-        compare_across_0(_S234);
+        compare_across_0(_S228);
     }
     return;
 }
@@ -2927,45 +2926,45 @@ fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
 @workgroup_size(64, 1, 1)
 fn filter_picture(@builtin(global_invocation_id) id_17 : vec3<u32>)
 {
-    var _S235 : vec2<u32> = pixel_of_thread_0(id_17.x);
-    var _S236 : vec2<i32> = vec2<i32>(_S235);
-    if(is_inside_0(_S236))
+    var _S229 : vec2<u32> = pixel_of_thread_0(id_17.x);
+    var _S230 : vec2<i32> = vec2<i32>(_S229);
+    if(is_inside_0(_S230))
     {
-        var index_36 : u32 = index_of_0(vec2<u32>(_S236));
+        var index_36 : u32 = index_of_0(vec2<u32>(_S230));
         var memory_5 : Memory_0 = load_memory_0(index_36);
-        set_color_0(u32(2), index_36, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S236, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
+        set_color_0(u32(2), index_36, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S230, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
     }
     return;
 }
 
 fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
 {
-    var _S237 : f32 = color_20.x;
-    var _S238 : f32 = 0.5f * color_20.y;
-    var _S239 : f32 = color_20.z;
-    return vec3<f32>(0.25f * _S237 + _S238 + 0.25f * _S239, 0.5f * (_S237 - _S239), _S238 - 0.25f * (_S237 + _S239));
+    var _S231 : f32 = color_20.x;
+    var _S232 : f32 = 0.5f * color_20.y;
+    var _S233 : f32 = color_20.z;
+    return vec3<f32>(0.25f * _S231 + _S232 + 0.25f * _S233, 0.5f * (_S231 - _S233), _S232 - 0.25f * (_S231 + _S233));
 }
 
 fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
 {
     var now_1 : vec3<f32> = color_in_0(u32(2), index_of_0(vec2<u32>(at_29))).xyz;
-    var _S240 : bool;
+    var _S234 : bool;
     if(word_6 == u32(0))
     {
-        _S240 = true;
+        _S234 = true;
     }
     else
     {
-        _S240 = (real_time_0.share_0) >= 1.0f;
+        _S234 = (real_time_0.share_0) >= 1.0f;
     }
-    if(_S240)
+    if(_S234)
     {
         return now_1;
     }
-    var _S241 : vec3<f32> = vec3<f32>(0.0f);
+    var _S235 : vec3<f32> = vec3<f32>(0.0f);
     var place_13 : i32 = i32(0);
-    var sum_15 : vec3<f32> = _S241;
-    var squares_5 : vec3<f32> = _S241;
+    var sum_15 : vec3<f32> = _S235;
+    var squares_5 : vec3<f32> = _S235;
     var count_11 : f32 = 0.0f;
     for(;;)
     {
@@ -2991,13 +2990,13 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
         place_13 = place_13 + i32(1);
     }
     var mean_2 : vec3<f32> = sum_15 / vec3<f32>(count_11);
-    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S241));
+    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S235));
     var shown_7 : vec3<f32> = clamp(ycocg_0(shown_in_0(word_6)), mean_2 - reach_2, mean_2 + reach_2);
     var shown_8 : vec3<f32> = shown_7 + (ycocg_0(now_1) - shown_7) * vec3<f32>(real_time_0.share_0);
-    var _S242 : f32 = shown_8.x;
-    var _S243 : f32 = shown_8.y;
-    var _S244 : f32 = shown_8.z;
-    return max(vec3<f32>(_S242 + _S243 - _S244, _S242 + _S244, _S242 - _S243 - _S244), _S241);
+    var _S236 : f32 = shown_8.x;
+    var _S237 : f32 = shown_8.y;
+    var _S238 : f32 = shown_8.z;
+    return max(vec3<f32>(_S236 + _S237 - _S238, _S236 + _S238, _S236 - _S237 - _S238), _S235);
 }
 
 fn half_of_0( value_4 : f32) -> u32
@@ -3028,16 +3027,16 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S245 : u32 = id_18.x;
-    var _S246 : vec2<u32> = pixel_of_thread_0(_S245);
-    var _S247 : vec2<i32> = vec2<i32>(_S246);
-    if(is_inside_0(_S247))
+    var _S239 : u32 = id_18.x;
+    var _S240 : vec2<u32> = pixel_of_thread_0(_S239);
+    var _S241 : vec2<i32> = vec2<i32>(_S240);
+    if(is_inside_0(_S241))
     {
-        var index_37 : u32 = index_of_0(vec2<u32>(_S247));
+        var index_37 : u32 = index_of_0(vec2<u32>(_S241));
         var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            radiance_0 = antialiased_0(_S247, memory_row_0(u32(3), index_37).w);
+            radiance_0 = antialiased_0(_S241, memory_row_0(u32(3), index_37).w);
         }
         else
         {
@@ -3049,11 +3048,11 @@ fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local
     }
     if(thread_1 == u32(0))
     {
-        if(_S245 == u32(0))
+        if(_S239 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S248 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S242 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

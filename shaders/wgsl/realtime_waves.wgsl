@@ -2539,14 +2539,22 @@ fn asks_0( path_2 : Path_0,  ray_8 : Ray_0,  hit_5 : Hit_0,  beyond_1 : u32,  li
     }
     var code_2 : u32;
     var key_2 : Key_0 = key_of_0(hit_5, square_root_0(length_squared_0(ray_8.origin_0 + ray_8.direction_0 * vec3<f32>(hit_5.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_2.sampler_0, u32(3221225472) + Path_events_0(path_2)).x, &(code_2));
-    var least_0 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_2)))));
+    var _S159 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
+    var is_from_first_0 : bool = (path_2.bounce_0) < u32(2);
     if(life_1 == u32(0))
     {
         _S158 = true;
     }
     else
     {
-        _S158 = (hit_5.t_0 * square_root_0(length_squared_0(ray_8.direction_0))) < least_0;
+        if(is_from_first_0)
+        {
+            _S158 = (hit_5.t_0 * square_root_0(length_squared_0(ray_8.direction_0))) < _S159;
+        }
+        else
+        {
+            _S158 = false;
+        }
     }
     if(_S158)
     {
@@ -2612,24 +2620,24 @@ fn weighs_apart_0() -> bool
 
 fn Path_is_counted_0( this_29 : Path_0) -> bool
 {
-    var _S159 : bool;
+    var _S160 : bool;
     if(weighs_apart_0())
     {
-        _S159 = (this_29.pdf_1) < 0.0f;
+        _S160 = (this_29.pdf_1) < 0.0f;
     }
     else
     {
-        _S159 = false;
+        _S160 = false;
     }
-    return _S159;
+    return _S160;
 }
 
 fn Receiver_x24init_0( point_1 : vec3<f32>,  normal_4 : vec3<f32>) -> Receiver_0
 {
-    var _S160 : Receiver_0;
-    _S160.point_0 = point_1;
-    _S160.normal_2 = normal_4;
-    return _S160;
+    var _S161 : Receiver_0;
+    _S161.point_0 = point_1;
+    _S161.normal_2 = normal_4;
+    return _S161;
 }
 
 fn Path_receiver_0( this_30 : Path_0,  ray_9 : Ray_0) -> Receiver_0
@@ -2645,37 +2653,37 @@ fn Path_dimension_medium_0( this_31 : Path_0) -> u32
 fn logarithm_0( x_1 : f32) -> f32
 {
     var bits_3 : u32 = (bitcast<u32>((x_1)));
-    var _S161 : u32 = (bits_3 & (u32(8388607)));
-    var is_upper_0 : bool = _S161 > u32(3474675);
+    var _S162 : u32 = (bits_3 & (u32(8388607)));
+    var is_upper_0 : bool = _S162 > u32(3474675);
     var power_1 : i32 = i32((bits_3 >> (u32(23)))) - i32(127) + i32(is_upper_0);
-    var _S162 : u32;
+    var _S163 : u32;
     if(is_upper_0)
     {
-        _S162 = u32(1056964608);
+        _S163 = u32(1056964608);
     }
     else
     {
-        _S162 = u32(1065353216);
+        _S163 = u32(1065353216);
     }
-    var mantissa_2 : f32 = (bitcast<f32>(((_S161 | (_S162)))));
+    var mantissa_2 : f32 = (bitcast<f32>(((_S162 | (_S163)))));
     var s_0 : f32 = divide_0(mantissa_2 - 1.0f, mantissa_2 + 1.0f);
     var ss_0 : f32 = s_0 * s_0;
-    var _S163 : f32 = f32(power_1);
-    return _S163 * 0.693359375f + (_S163 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
+    var _S164 : f32 = f32(power_1);
+    return _S164 * 0.693359375f + (_S164 * -0.00021219444170129f + s_0 * (2.0f + ss_0 * (0.66666668653488159f + ss_0 * (0.40000000596046448f + ss_0 * (0.28571429848670959f + ss_0 * 0.2222222238779068f)))));
 }
 
 fn free_path_0( medium_0 : PackedMaterial_0,  u_1 : f32) -> f32
 {
-    var _S164 : f32;
+    var _S165 : f32;
     if((medium_0.scattering_0) > 0.0f)
     {
-        _S164 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
+        _S165 = divide_0(- logarithm_0(1.0f - u_1), medium_0.scattering_0);
     }
     else
     {
-        _S164 = (bitcast<f32>(infinity_bits_0));
+        _S165 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S164;
+    return _S165;
 }
 
 fn grid_direction_0( instance_12 : u32,  direction_7 : vec3<f32>) -> vec3<f32>
@@ -2721,19 +2729,19 @@ fn Environment_to_map_0( d_0 : vec3<f32>) -> vec3<f32>
 {
     var sin_0 : f32 = params_0.sky_turned_0.x;
     var cos_0 : f32 = params_0.sky_turned_0.y;
-    var _S165 : f32 = d_0.x;
-    var _S166 : f32 = d_0.y;
-    return vec3<f32>(_S165 * cos_0 - _S166 * sin_0, _S165 * sin_0 + _S166 * cos_0, d_0.z);
+    var _S166 : f32 = d_0.x;
+    var _S167 : f32 = d_0.y;
+    return vec3<f32>(_S166 * cos_0 - _S167 * sin_0, _S166 * sin_0 + _S167 * cos_0, d_0.z);
 }
 
 fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 {
-    var _S167 : f32 = min(x_3, y_0);
-    var _S168 : f32 = max(x_3, y_0);
+    var _S168 : f32 = min(x_3, y_0);
+    var _S169 : f32 = max(x_3, y_0);
     var ratio_0 : f32;
-    if(_S168 > 0.0f)
+    if(_S169 > 0.0f)
     {
-        ratio_0 = divide_0(_S167, _S168);
+        ratio_0 = divide_0(_S168, _S169);
     }
     else
     {
@@ -2755,10 +2763,10 @@ fn quarter_turns_0( x_3 : f32,  y_0 : f32) -> f32
 fn square_of_0( direction_8 : vec3<f32>) -> vec2<f32>
 {
     var size_1 : vec3<f32> = abs(direction_8);
-    var _S169 : f32 = size_1.x;
-    var _S170 : f32 = size_1.y;
-    var radius_0 : f32 = square_root_0(divide_0(_S169 * _S169 + _S170 * _S170, 1.0f + size_1.z));
-    var v_3 : f32 = quarter_turns_0(_S169, _S170) * radius_0;
+    var _S170 : f32 = size_1.x;
+    var _S171 : f32 = size_1.y;
+    var radius_0 : f32 = square_root_0(divide_0(_S170 * _S170 + _S171 * _S171, 1.0f + size_1.z));
+    var v_3 : f32 = quarter_turns_0(_S170, _S171) * radius_0;
     var u_2 : f32 = radius_0 - v_3;
     var is_below_1 : bool = (direction_8.z) < 0.0f;
     var u_3 : f32;
@@ -2807,42 +2815,42 @@ fn Environment_index_of_0( x_4 : i32,  y_1 : i32) -> u32
     {
         is_beside_0 = x_4 > last_2;
     }
-    var _S171 : i32;
-    if(is_beside_0)
-    {
-        _S171 = last_2 - y_1;
-    }
-    else
-    {
-        _S171 = y_1;
-    }
     var _S172 : i32;
     if(is_beside_0)
     {
-        _S172 = clamp(x_4, i32(0), last_2);
+        _S172 = last_2 - y_1;
     }
     else
     {
-        _S172 = x_4;
+        _S172 = y_1;
+    }
+    var _S173 : i32;
+    if(is_beside_0)
+    {
+        _S173 = clamp(x_4, i32(0), last_2);
+    }
+    else
+    {
+        _S173 = x_4;
     }
     var is_beyond_0 : bool;
-    if(_S171 < i32(0))
+    if(_S172 < i32(0))
     {
         is_beyond_0 = true;
     }
     else
     {
-        is_beyond_0 = _S171 > last_2;
+        is_beyond_0 = _S172 > last_2;
     }
     if(is_beyond_0)
     {
-        _S172 = last_2 - _S172;
+        _S173 = last_2 - _S173;
     }
     if(is_beyond_0)
     {
-        _S171 = clamp(_S171, i32(0), last_2);
+        _S172 = clamp(_S172, i32(0), last_2);
     }
-    return u32(_S171 * i32(params_0.sky_edge_0) + _S172);
+    return u32(_S172 * i32(params_0.sky_edge_0) + _S173);
 }
 
 fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
@@ -2852,18 +2860,18 @@ fn Environment_texel_radiance_0( x_5 : i32,  y_2 : i32) -> vec3<f32>
 
 fn Environment_radiance_at_0( place_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S173 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S173);
-    var beyond_2 : vec2<f32> = _S173 - corner_1;
+    var _S174 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S174);
+    var beyond_2 : vec2<f32> = _S174 - corner_1;
     var x_6 : i32 = i32(corner_1.x);
     var y_3 : i32 = i32(corner_1.y);
-    var _S174 : f32 = beyond_2.x;
-    var _S175 : vec3<f32> = vec3<f32>((1.0f - _S174));
-    var _S176 : i32 = x_6 + i32(1);
-    var _S177 : vec3<f32> = vec3<f32>(_S174);
-    var _S178 : i32 = y_3 + i32(1);
-    var _S179 : f32 = beyond_2.y;
-    return (Environment_texel_radiance_0(x_6, y_3) * _S175 + Environment_texel_radiance_0(_S176, y_3) * _S177) * vec3<f32>((1.0f - _S179)) + (Environment_texel_radiance_0(x_6, _S178) * _S175 + Environment_texel_radiance_0(_S176, _S178) * _S177) * vec3<f32>(_S179);
+    var _S175 : f32 = beyond_2.x;
+    var _S176 : vec3<f32> = vec3<f32>((1.0f - _S175));
+    var _S177 : i32 = x_6 + i32(1);
+    var _S178 : vec3<f32> = vec3<f32>(_S175);
+    var _S179 : i32 = y_3 + i32(1);
+    var _S180 : f32 = beyond_2.y;
+    return (Environment_texel_radiance_0(x_6, y_3) * _S176 + Environment_texel_radiance_0(_S177, y_3) * _S178) * vec3<f32>((1.0f - _S180)) + (Environment_texel_radiance_0(x_6, _S179) * _S176 + Environment_texel_radiance_0(_S177, _S179) * _S178) * vec3<f32>(_S180);
 }
 
 fn Environment_radiance_0( direction_10 : vec3<f32>) -> vec3<f32>
@@ -2879,10 +2887,10 @@ struct Gradient_0
 
 fn Gradient_x24init_0( nadir_1 : vec3<f32>,  zenith_1 : vec3<f32>) -> Gradient_0
 {
-    var _S180 : Gradient_0;
-    _S180.nadir_0 = nadir_1;
-    _S180.zenith_0 = zenith_1;
-    return _S180;
+    var _S181 : Gradient_0;
+    _S181.nadir_0 = nadir_1;
+    _S181.zenith_0 = zenith_1;
+    return _S181;
 }
 
 fn Gradient_radiance_0( this_33 : Gradient_0,  direction_11 : vec3<f32>) -> vec3<f32>
@@ -2933,29 +2941,29 @@ fn Rows_operatorx5Bx5D_get_3( row_7 : u32) -> vec4<u32>
 fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : vec4<u32>) -> LightNode_0
 {
     var node_0 : LightNode_0;
-    var _S181 : f32 = (bitcast<f32>((a_5.y)));
-    var _S182 : f32 = (bitcast<f32>((a_5.z)));
+    var _S182 : f32 = (bitcast<f32>((a_5.y)));
+    var _S183 : f32 = (bitcast<f32>((a_5.z)));
     node_0.min_1[i32(0)] = (bitcast<f32>((a_5.x)));
-    node_0.min_1[i32(1)] = _S181;
-    node_0.min_1[i32(2)] = _S182;
+    node_0.min_1[i32(1)] = _S182;
+    node_0.min_1[i32(2)] = _S183;
     node_0.index_11 = a_5.w;
-    var _S183 : f32 = (bitcast<f32>((b_5.y)));
-    var _S184 : f32 = (bitcast<f32>((b_5.z)));
+    var _S184 : f32 = (bitcast<f32>((b_5.y)));
+    var _S185 : f32 = (bitcast<f32>((b_5.z)));
     node_0.max_1[i32(0)] = (bitcast<f32>((b_5.x)));
-    node_0.max_1[i32(1)] = _S183;
-    node_0.max_1[i32(2)] = _S184;
+    node_0.max_1[i32(1)] = _S184;
+    node_0.max_1[i32(2)] = _S185;
     node_0.count_1 = b_5.w;
-    var _S185 : f32 = (bitcast<f32>((c_1.y)));
-    var _S186 : f32 = (bitcast<f32>((c_1.z)));
-    var _S187 : f32 = (bitcast<f32>((c_1.w)));
-    var _S188 : f32 = (bitcast<f32>((d_1.x)));
-    var _S189 : f32 = (bitcast<f32>((d_1.y)));
+    var _S186 : f32 = (bitcast<f32>((c_1.y)));
+    var _S187 : f32 = (bitcast<f32>((c_1.z)));
+    var _S188 : f32 = (bitcast<f32>((c_1.w)));
+    var _S189 : f32 = (bitcast<f32>((d_1.x)));
+    var _S190 : f32 = (bitcast<f32>((d_1.y)));
     node_0.power_3[i32(0)] = (bitcast<f32>((c_1.x)));
-    node_0.power_3[i32(1)] = _S185;
-    node_0.power_3[i32(2)] = _S186;
-    node_0.power_3[i32(3)] = _S187;
-    node_0.power_3[i32(4)] = _S188;
-    node_0.power_3[i32(5)] = _S189;
+    node_0.power_3[i32(1)] = _S186;
+    node_0.power_3[i32(2)] = _S187;
+    node_0.power_3[i32(3)] = _S188;
+    node_0.power_3[i32(4)] = _S189;
+    node_0.power_3[i32(5)] = _S190;
     node_0.parent_0 = d_1.z;
     node_0.root_1 = d_1.w;
     return node_0;
@@ -2963,8 +2971,8 @@ fn light_node_of_0( a_5 : vec4<u32>,  b_5 : vec4<u32>,  c_1 : vec4<u32>,  d_1 : 
 
 fn top_light_node_0( index_12 : u32) -> LightNode_0
 {
-    var _S190 : u32 = u32(4) * index_12;
-    return light_node_of_0(Rows_operatorx5Bx5D_get_3(_S190), Rows_operatorx5Bx5D_get_3(_S190 + u32(1)), Rows_operatorx5Bx5D_get_3(_S190 + u32(2)), Rows_operatorx5Bx5D_get_3(_S190 + u32(3)));
+    var _S191 : u32 = u32(4) * index_12;
+    return light_node_of_0(Rows_operatorx5Bx5D_get_3(_S191), Rows_operatorx5Bx5D_get_3(_S191 + u32(1)), Rows_operatorx5Bx5D_get_3(_S191 + u32(2)), Rows_operatorx5Bx5D_get_3(_S191 + u32(3)));
 }
 
 struct View_0
@@ -2991,17 +2999,17 @@ struct BySide_0
 
 fn BySide_x24init_0( low_11 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
 {
-    var _S191 : BySide_0;
-    _S191.low_10 = low_11;
-    _S191.high_4 = high_5;
-    return _S191;
+    var _S192 : BySide_0;
+    _S192.low_10 = low_11;
+    _S192.high_4 = high_5;
+    return _S192;
 }
 
 fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
 {
-    var _S192 : vec3<f32> = vec3<f32>(0.0f);
-    var _S193 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S192), _S193), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S192), _S193));
+    var _S193 : vec3<f32> = vec3<f32>(0.0f);
+    var _S194 : vec3<f32> = vec3<f32>(distance_2);
+    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S193), _S194), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S193), _S194));
 }
 
 fn BySide_sum_0( this_34 : BySide_0) -> f32
@@ -3018,19 +3026,19 @@ fn reciprocal_guess_0( x_7 : f32) -> f32
 
 fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S194 : View_0;
-    _S194.importance_0 = importance_1;
-    _S194.is_far_0 = is_far_1;
-    return _S194;
+    var _S195 : View_0;
+    _S195.importance_0 = importance_1;
+    _S195.is_far_0 = is_far_1;
+    return _S195;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S195 : vec3<f32> = vector_of_0(node_2.max_1);
-    var _S196 : vec3<f32> = vector_of_0(node_2.min_1);
-    var _S197 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S195 - _S196) * _S197;
-    var toward_0 : vec3<f32> = (_S196 + _S195) * _S197 - receiver_3.point_0;
+    var _S196 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S197 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S198 : vec3<f32> = vec3<f32>(0.5f);
+    var half_1 : vec3<f32> = (_S196 - _S197) * _S198;
+    var toward_0 : vec3<f32> = (_S197 + _S196) * _S198 - receiver_3.point_0;
     var middle_0 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
     var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_0 + aside_0);
@@ -3048,16 +3056,16 @@ fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0, distance_3));
     var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S198 : f32;
+    var _S199 : f32;
     if(above_0 > 0.0f)
     {
-        _S198 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        _S199 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
     }
     else
     {
-        _S198 = 0.0f;
+        _S199 = 0.0f;
     }
-    return View_x24init_0(_S198, is_far_2);
+    return View_x24init_0(_S199, is_far_2);
 }
 
 fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
@@ -3096,25 +3104,25 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S199 : bool;
+    var _S200 : bool;
     if(SKY_0 == u32(1))
     {
-        _S199 = (params_0.sky_irradiance_0) > 0.0f;
+        _S200 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S199 = false;
+        _S200 = false;
     }
-    return _S199;
+    return _S200;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S200 : Selection_0;
-    _S200.sun_0 = sun_1;
-    _S200.sky_1 = sky_2;
-    _S200.emitters_0 = emitters_1;
-    return _S200;
+    var _S201 : Selection_0;
+    _S201.sun_0 = sun_1;
+    _S201.sky_1 = sky_2;
+    _S201.emitters_0 = emitters_1;
+    return _S201;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -3144,8 +3152,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S201 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S201, sky_3, (1.0f - sun_2) * _S201);
+    var _S202 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S202, sky_3, (1.0f - sun_2) * _S202);
 }
 
 fn Path_selection_at_0( this_35 : Path_0,  last_3 : Receiver_0) -> Selection_0
@@ -3162,30 +3170,30 @@ fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S202 : f32;
+    var _S203 : f32;
     if(SKY_0 == u32(1))
     {
-        _S202 = Environment_pdf_0(direction_15);
-    }
-    else
-    {
-        _S202 = 0.0f;
-    }
-    return _S202;
-}
-
-fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
-{
-    var _S203 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S203 = Sky_pdf_0(direction_16) * selection_1.sky_1;
+        _S203 = Environment_pdf_0(direction_15);
     }
     else
     {
         _S203 = 0.0f;
     }
     return _S203;
+}
+
+fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
+{
+    var _S204 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S204 = Sky_pdf_0(direction_16) * selection_1.sky_1;
+    }
+    else
+    {
+        _S204 = 0.0f;
+    }
+    return _S204;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3196,16 +3204,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S204 : bool;
+    var _S205 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S204 = true;
+        _S205 = true;
     }
     else
     {
-        _S204 = light_pdf_0 == 0.0f;
+        _S205 = light_pdf_0 == 0.0f;
     }
-    if(_S204)
+    if(_S205)
     {
         return 1.0f;
     }
@@ -3219,24 +3227,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_36 : Path_0) -> bool
 {
-    var _S205 : bool;
+    var _S206 : bool;
     if((this_36.bounce_0) == u32(0))
     {
-        _S205 = (this_36.pdf_1) == 0.0f;
+        _S206 = (this_36.pdf_1) == 0.0f;
     }
     else
     {
-        _S205 = false;
+        _S206 = false;
     }
-    if(_S205)
+    if(_S206)
     {
-        _S205 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
+        _S206 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S205 = false;
+        _S206 = false;
     }
-    return _S205;
+    return _S206;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3246,44 +3254,44 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S206 : vec3<f32>;
+    var _S207 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S206 = params_0.sun_radiance_0;
+        _S207 = params_0.sun_radiance_0;
     }
     else
     {
-        _S206 = vec3<f32>(0.0f);
-    }
-    return _S206;
-}
-
-fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
-{
-    var _S207 : f32;
-    if(SunDisc_contains_0(direction_19))
-    {
-        _S207 = params_0.sun_pdf_0;
-    }
-    else
-    {
-        _S207 = 0.0f;
+        _S207 = vec3<f32>(0.0f);
     }
     return _S207;
 }
 
-fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
+fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
     var _S208 : f32;
-    if(has_sun_0())
+    if(SunDisc_contains_0(direction_19))
     {
-        _S208 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
+        _S208 = params_0.sun_pdf_0;
     }
     else
     {
         _S208 = 0.0f;
     }
     return _S208;
+}
+
+fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
+{
+    var _S209 : f32;
+    if(has_sun_0())
+    {
+        _S209 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
+    }
+    else
+    {
+        _S209 = 0.0f;
+    }
+    return _S209;
 }
 
 fn Path_dimension_scatter_0( this_37 : Path_0) -> u32
@@ -3346,12 +3354,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S209 : Aim_0;
-    _S209.is_met_0 = is_met_1;
-    _S209.direction_21 = direction_22;
-    _S209.hit_6 = hit_7;
-    _S209.luminance_1 = luminance_2;
-    return _S209;
+    var _S210 : Aim_0;
+    _S210.is_met_0 = is_met_1;
+    _S210.direction_21 = direction_22;
+    _S210.hit_6 = hit_7;
+    _S210.luminance_1 = luminance_2;
+    return _S210;
 }
 
 struct LightSample_0
@@ -3364,18 +3372,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S210 : LightSample_0;
-    _S210.ray_13 = ray_14;
-    _S210.cos_theta_1 = cos_theta_2;
-    _S210.radiance_1 = radiance_2;
-    _S210.pdf_2 = pdf_3;
-    return _S210;
+    var _S211 : LightSample_0;
+    _S211.ray_13 = ray_14;
+    _S211.cos_theta_1 = cos_theta_2;
+    _S211.radiance_1 = radiance_2;
+    _S211.pdf_2 = pdf_3;
+    return _S211;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S211 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S211, 0.0f, _S211, 0.0f), 0.0f, _S211, 0.0f);
+    var _S212 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S212, 0.0f, _S212, 0.0f), 0.0f, _S212, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3431,36 +3439,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S212 : ChosenDirection_0;
-    _S212.direction_25 = direction_26;
-    _S212.radiance_3 = radiance_4;
-    _S212.pdf_4 = pdf_5;
-    return _S212;
+    var _S213 : ChosenDirection_0;
+    _S213.direction_25 = direction_26;
+    _S213.radiance_3 = radiance_4;
+    _S213.pdf_4 = pdf_5;
+    return _S213;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S213 : f32 = abs(u_5);
-    var _S214 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S213 + _S214);
+    var _S214 : f32 = abs(u_5);
+    var _S215 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S214 + _S215);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S214 - _S213, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S215 - _S214, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S215 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S215);
+    var _S216 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S216);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S215;
+    var z_0 : f32 = 1.0f - _S216;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3469,45 +3477,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S216 : f32;
+    var _S217 : f32;
     if(v_5 < 0.0f)
     {
-        _S216 = - y_4;
+        _S217 = - y_4;
     }
     else
     {
-        _S216 = y_4;
+        _S217 = y_4;
     }
-    var _S217 : f32;
+    var _S218 : f32;
     if(height_1 < 0.0f)
     {
-        _S217 = - z_0;
+        _S218 = - z_0;
     }
     else
     {
-        _S217 = z_0;
+        _S218 = z_0;
     }
-    return vec3<f32>(turns_2, _S216, _S217);
+    return vec3<f32>(turns_2, _S217, _S218);
 }
 
 fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S218 : f32 = d_2.x;
-    var _S219 : f32 = d_2.y;
-    return vec3<f32>(_S218 * cos_3 + _S219 * sin_2, _S219 * cos_3 - _S218 * sin_2, d_2.z);
+    var _S219 : f32 = d_2.x;
+    var _S220 : f32 = d_2.y;
+    return vec3<f32>(_S219 * cos_3 + _S220 * sin_2, _S220 * cos_3 - _S219 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S220 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S220, _S220, 0.0f);
+    var _S221 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S221, _S221, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S221 : f32 = u_6.x * edge_0;
-    var _S222 : f32 = edge_0 - 1.0f;
-    var _S223 : f32 = min(floor(_S221), _S222);
-    var own_1 : u32 = u32(_S223) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S222));
+    var _S222 : f32 = u_6.x * edge_0;
+    var _S223 : f32 = edge_0 - 1.0f;
+    var _S224 : f32 = min(floor(_S222), _S223);
+    var own_1 : u32 = u32(_S224) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S223));
     var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
@@ -3522,10 +3530,10 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S224 : u32 = index_14 % params_0.sky_edge_0;
-    var _S225 : f32 = f32(_S224);
-    var _S226 : u32 = index_14 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S225, f32(_S226)) + vec2<f32>(min(_S221 - _S223, 1.0f), u_6.w);
+    var _S225 : u32 = index_14 % params_0.sky_edge_0;
+    var _S226 : f32 = f32(_S225);
+    var _S227 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S226, f32(_S227)) + vec2<f32>(min(_S222 - _S224, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3534,17 +3542,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<fun
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S227 : bool;
+    var _S228 : bool;
     if(SKY_0 != u32(1))
     {
-        _S227 = true;
+        _S228 = true;
     }
     else
     {
-        var _S228 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S227 = !_S228;
+        var _S229 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S228 = !_S229;
     }
-    if(_S227)
+    if(_S228)
     {
         return false;
     }
@@ -3566,15 +3574,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S229 : Descent_0;
-    _S229.node_3 = node_4;
-    _S229.index_15 = index_16;
-    _S229.count_2 = count_3;
-    _S229.weight_0 = weight_1;
-    _S229.total_0 = total_1;
-    _S229.choice_0 = choice_1;
-    _S229.is_far_3 = is_far_4;
-    return _S229;
+    var _S230 : Descent_0;
+    _S230.node_3 = node_4;
+    _S230.index_15 = index_16;
+    _S230.count_2 = count_3;
+    _S230.weight_0 = weight_1;
+    _S230.total_0 = total_1;
+    _S230.choice_0 = choice_1;
+    _S230.is_far_3 = is_far_4;
+    return _S230;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -3594,24 +3602,24 @@ fn Descent_at_0( this_40 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S230 : f32;
+    var _S231 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S230 = 0.0f;
+        _S231 = 0.0f;
     }
     else
     {
-        _S230 = weight_2;
+        _S231 = weight_2;
     }
-    return _S230;
+    return _S231;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S231 : f32 = normal_or_zero_0(left_0);
-    var _S232 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S231 + _S232);
-    return vec2<f32>(normal_or_zero_0(_S231 * unit_0), normal_or_zero_0(_S232 * unit_0));
+    var _S232 : f32 = normal_or_zero_0(left_0);
+    var _S233 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S232 + _S233);
+    return vec2<f32>(normal_or_zero_0(_S232 * unit_0), normal_or_zero_0(_S233 * unit_0));
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3620,7 +3628,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S233 : LightNode_0 = node_6;
+        var _S234 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3628,29 +3636,20 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S233.parent_0);
-        var _S234 : u32 = _S233.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S234;
-        var _S235 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S234.parent_0);
+        var _S235 : u32 = _S234.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S235;
+        var _S236 : u32;
         if(is_left_0)
         {
-            _S235 = parent_1.index_11;
+            _S236 = parent_1.index_11;
         }
         else
         {
-            _S235 = _S234;
+            _S236 = _S235;
         }
-        var _S236 : View_0 = view_0(node_6, receiver_11);
-        var _S237 : View_0 = view_0(top_light_node_0(_S235), receiver_11);
-        var _S238 : f32;
-        if(is_left_0)
-        {
-            _S238 = _S236.importance_0;
-        }
-        else
-        {
-            _S238 = _S237.importance_0;
-        }
+        var _S237 : View_0 = view_0(node_6, receiver_11);
+        var _S238 : View_0 = view_0(top_light_node_0(_S236), receiver_11);
         var _S239 : f32;
         if(is_left_0)
         {
@@ -3658,29 +3657,38 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         }
         else
         {
-            _S239 = _S236.importance_0;
+            _S239 = _S238.importance_0;
         }
-        var weights_0 : vec2<f32> = weights_of_0(_S238, _S239);
-        var _S240 : f32 = weights_0.x;
-        var _S241 : f32 = weights_0.y;
-        var total_2 : f32 = _S240 + _S241;
+        var _S240 : f32;
+        if(is_left_0)
+        {
+            _S240 = _S238.importance_0;
+        }
+        else
+        {
+            _S240 = _S237.importance_0;
+        }
+        var weights_0 : vec2<f32> = weights_of_0(_S239, _S240);
+        var _S241 : f32 = weights_0.x;
+        var _S242 : f32 = weights_0.y;
+        var total_2 : f32 = _S241 + _S242;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S242 : f32;
+        var _S243 : f32;
         if(is_left_0)
         {
-            _S242 = _S240;
+            _S243 = _S241;
         }
         else
         {
-            _S242 = _S241;
+            _S243 = _S242;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S242;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S243;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S233.parent_0;
+        at_1 = _S234.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3694,16 +3702,16 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S243 : bool;
+        var _S244 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S243 = !(*descent_1).is_far_3;
+            _S244 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S243 = false;
+            _S244 = false;
         }
-        if(_S243)
+        if(_S244)
         {
         }
         else
@@ -3717,29 +3725,29 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_12).importance_0, view_0(right_1, receiver_12).importance_0);
-        var _S244 : f32 = weights_1.x;
-        var _S245 : f32 = weights_1.y;
-        var total_3 : f32 = _S244 + _S245;
+        var _S245 : f32 = weights_1.x;
+        var _S246 : f32 = weights_1.y;
+        var total_3 : f32 = _S245 + _S246;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S246 : bool;
-        if(_S245 <= 0.0f)
+        var _S247 : bool;
+        if(_S246 <= 0.0f)
         {
-            _S246 = true;
+            _S247 = true;
         }
         else
         {
-            _S246 = ((*descent_1).choice_0 * total_3) < (_S244 * (*descent_1).weight_0);
+            _S247 = ((*descent_1).choice_0 * total_3) < (_S245 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S247 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S247 >= (vector_of_0(left_1.min_1))))))
+            var _S248 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S248 >= (vector_of_0(left_1.min_1))))))
             {
-                is_left_1 = (all((_S247 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S248 < (vector_of_0(left_1.max_1)))));
             }
             else
             {
@@ -3748,63 +3756,63 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S246;
+            is_left_1 = _S247;
         }
-        var _S248 : f32 = (*descent_1).choice_0 * total_3;
-        var _S249 : f32;
+        var _S249 : f32 = (*descent_1).choice_0 * total_3;
+        var _S250 : f32;
         if(is_left_1)
         {
-            _S249 = 0.0f;
+            _S250 = 0.0f;
         }
         else
         {
-            _S249 = _S244 * (*descent_1).weight_0;
+            _S250 = _S245 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S248 - _S249;
-        var _S250 : u32;
-        if(is_left_1)
-        {
-            _S250 = (*descent_1).node_3 + u32(1);
-        }
-        else
-        {
-            _S250 = (*descent_1).index_15;
-        }
-        (*descent_1).node_3 = _S250;
+        (*descent_1).choice_0 = _S249 - _S250;
         var _S251 : u32;
         if(is_left_1)
         {
-            _S251 = left_1.index_11;
+            _S251 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S251 = right_1.index_11;
+            _S251 = (*descent_1).index_15;
         }
-        (*descent_1).index_15 = _S251;
+        (*descent_1).node_3 = _S251;
         var _S252 : u32;
         if(is_left_1)
         {
-            _S252 = left_1.count_1;
+            _S252 = left_1.index_11;
         }
         else
         {
-            _S252 = right_1.count_1;
+            _S252 = right_1.index_11;
         }
-        (*descent_1).count_2 = _S252;
-        (*descent_1).is_far_3 = false;
-        var _S253 : f32;
+        (*descent_1).index_15 = _S252;
+        var _S253 : u32;
         if(is_left_1)
         {
-            _S253 = _S244;
+            _S253 = left_1.count_1;
         }
         else
         {
-            _S253 = _S245;
+            _S253 = right_1.count_1;
         }
-        var _S254 : f32 = (*descent_1).weight_0 * _S253;
-        (*descent_1).weight_0 = _S254;
+        (*descent_1).count_2 = _S253;
+        (*descent_1).is_far_3 = false;
+        var _S254 : f32;
+        if(is_left_1)
+        {
+            _S254 = _S245;
+        }
+        else
+        {
+            _S254 = _S246;
+        }
+        var _S255 : f32 = (*descent_1).weight_0 * _S254;
+        (*descent_1).weight_0 = _S255;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S254 <= 0.0f)
+        if(_S255 <= 0.0f)
         {
             return false;
         }
@@ -3823,8 +3831,8 @@ fn in_grid_0( instance_13 : u32,  receiver_13 : Receiver_0) -> Receiver_0
     {
         return receiver_13;
     }
-    var _S255 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
-    return Receiver_x24init_0(Transform_point_0(_S255.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S255.grid_from_world_0, receiver_13.normal_2)));
+    var _S256 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
+    return Receiver_x24init_0(Transform_point_0(_S256.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S256.grid_from_world_0, receiver_13.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3846,8 +3854,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S256 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S256), Rows_operatorx5Bx5D_get_4(_S256 + u32(1)), Rows_operatorx5Bx5D_get_4(_S256 + u32(2)), Rows_operatorx5Bx5D_get_4(_S256 + u32(3)));
+        var _S257 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S257), Rows_operatorx5Bx5D_get_4(_S257 + u32(1)), Rows_operatorx5Bx5D_get_4(_S257 + u32(2)), Rows_operatorx5Bx5D_get_4(_S257 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -3904,16 +3912,16 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S257 : bool;
+        var _S258 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S257 = !(*descent_2).is_far_3;
+            _S258 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S257 = false;
+            _S258 = false;
         }
-        if(_S257)
+        if(_S258)
         {
         }
         else
@@ -3929,29 +3937,29 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_2, receiver_14);
         var of_right_0 : View_0 = view_0(right_2, receiver_14);
         var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S258 : f32 = weights_2.x;
-        var _S259 : f32 = weights_2.y;
-        var total_4 : f32 = _S258 + _S259;
+        var _S259 : f32 = weights_2.x;
+        var _S260 : f32 = weights_2.y;
+        var total_4 : f32 = _S259 + _S260;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S260 : bool;
-        if(_S259 <= 0.0f)
+        var _S261 : bool;
+        if(_S260 <= 0.0f)
         {
-            _S260 = true;
+            _S261 = true;
         }
         else
         {
-            _S260 = ((*descent_2).choice_0 * total_4) < (_S258 * (*descent_2).weight_0);
+            _S261 = ((*descent_2).choice_0 * total_4) < (_S259 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S261 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S261 >= (vector_of_0(left_2.min_1))))))
+            var _S262 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S262 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_2 = (all((_S261 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S262 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -3960,72 +3968,72 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S260;
+            is_left_2 = _S261;
         }
-        var _S262 : f32 = (*descent_2).choice_0 * total_4;
-        var _S263 : f32;
+        var _S263 : f32 = (*descent_2).choice_0 * total_4;
+        var _S264 : f32;
         if(is_left_2)
         {
-            _S263 = 0.0f;
+            _S264 = 0.0f;
         }
         else
         {
-            _S263 = _S258 * (*descent_2).weight_0;
+            _S264 = _S259 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S262 - _S263;
-        var _S264 : u32;
-        if(is_left_2)
-        {
-            _S264 = (*descent_2).node_3 + u32(1);
-        }
-        else
-        {
-            _S264 = (*descent_2).index_15;
-        }
-        (*descent_2).node_3 = _S264;
+        (*descent_2).choice_0 = _S263 - _S264;
         var _S265 : u32;
         if(is_left_2)
         {
-            _S265 = left_2.index_11;
+            _S265 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S265 = right_2.index_11;
+            _S265 = (*descent_2).index_15;
         }
-        (*descent_2).index_15 = _S265;
+        (*descent_2).node_3 = _S265;
         var _S266 : u32;
         if(is_left_2)
         {
-            _S266 = left_2.count_1;
+            _S266 = left_2.index_11;
         }
         else
         {
-            _S266 = right_2.count_1;
+            _S266 = right_2.index_11;
         }
-        (*descent_2).count_2 = _S266;
-        var _S267 : bool;
+        (*descent_2).index_15 = _S266;
+        var _S267 : u32;
         if(is_left_2)
         {
-            _S267 = of_left_0.is_far_0;
+            _S267 = left_2.count_1;
         }
         else
         {
-            _S267 = of_right_0.is_far_0;
+            _S267 = right_2.count_1;
         }
-        (*descent_2).is_far_3 = _S267;
-        var _S268 : f32;
+        (*descent_2).count_2 = _S267;
+        var _S268 : bool;
         if(is_left_2)
         {
-            _S268 = _S258;
+            _S268 = of_left_0.is_far_0;
         }
         else
         {
-            _S268 = _S259;
+            _S268 = of_right_0.is_far_0;
         }
-        var _S269 : f32 = (*descent_2).weight_0 * _S268;
-        (*descent_2).weight_0 = _S269;
+        (*descent_2).is_far_3 = _S268;
+        var _S269 : f32;
+        if(is_left_2)
+        {
+            _S269 = _S259;
+        }
+        else
+        {
+            _S269 = _S260;
+        }
+        var _S270 : f32 = (*descent_2).weight_0 * _S269;
+        (*descent_2).weight_0 = _S270;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S269 <= 0.0f)
+        if(_S270 <= 0.0f)
         {
             return false;
         }
@@ -4036,29 +4044,29 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S270 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S271 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S272 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S270 - _S271) * _S272;
-    var toward_1 : vec3<f32> = (_S271 + _S270) * _S272 - point_3;
+    var _S271 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S272 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S273 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S271 - _S272) * _S273;
+    var toward_1 : vec3<f32> = (_S272 + _S271) * _S273 - point_3;
     var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S273 : f32 = way_4.choice_0 * total_5;
-    var _S274 : u32 = (*side_0);
+    var _S274 : f32 = way_4.choice_0 * total_5;
+    var _S275 : u32 = (*side_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_1);
-    var _S275 : bool;
+    var _S276 : bool;
     if(is_met_2)
     {
-        _S275 = u32(0) == _S274;
+        _S276 = u32(0) == _S275;
     }
     else
     {
-        _S275 = share_1 > 0.0f;
+        _S276 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S275)
+    if(_S276)
     {
         (*side_0) = u32(0);
         chosen_2 = share_1;
@@ -4067,145 +4075,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S276 : bool = _S273 < (share_1 * way_4.weight_0);
+    var _S277 : bool = _S274 < (share_1 * way_4.weight_0);
     var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S275 = u32(1) == _S274;
+        _S276 = u32(1) == _S275;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S275 = !_S276;
+            _S276 = !_S277;
         }
         else
         {
-            _S275 = false;
+            _S276 = false;
         }
     }
-    if(_S275)
+    if(_S276)
     {
         (*side_0) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S276)
+    if(_S277)
     {
-        _S275 = true;
+        _S276 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_0 * way_4.weight_0);
+        _S276 = _S274 < (passed_0 * way_4.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_1);
-    var _S277 : bool;
+    var _S278 : bool;
     if(is_met_2)
     {
-        _S277 = u32(2) == _S274;
+        _S278 = u32(2) == _S275;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S277 = !_S275;
+            _S278 = !_S276;
         }
         else
         {
-            _S277 = false;
+            _S278 = false;
         }
     }
-    if(_S277)
+    if(_S278)
     {
         (*side_0) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S275)
+    if(_S276)
     {
-        _S275 = true;
+        _S276 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_1 * way_4.weight_0);
+        _S276 = _S274 < (passed_1 * way_4.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S277 = u32(3) == _S274;
+        _S278 = u32(3) == _S275;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S277 = !_S275;
+            _S278 = !_S276;
         }
         else
         {
-            _S277 = false;
+            _S278 = false;
         }
     }
-    if(_S277)
+    if(_S278)
     {
         (*side_0) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S275)
+    if(_S276)
     {
-        _S275 = true;
+        _S276 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_2 * way_4.weight_0);
+        _S276 = _S274 < (passed_2 * way_4.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S277 = u32(4) == _S274;
+        _S278 = u32(4) == _S275;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S277 = !_S275;
+            _S278 = !_S276;
         }
         else
         {
-            _S277 = false;
+            _S278 = false;
         }
     }
-    if(_S277)
+    if(_S278)
     {
         (*side_0) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S275)
+    if(_S276)
     {
-        _S275 = true;
+        _S276 = true;
     }
     else
     {
-        _S275 = _S273 < (passed_3 * way_4.weight_0);
+        _S276 = _S274 < (passed_3 * way_4.weight_0);
     }
     var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S275 = u32(5) == _S274;
+        _S276 = u32(5) == _S275;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S275 = !_S275;
+            _S276 = !_S276;
         }
         else
         {
-            _S275 = false;
+            _S276 = false;
         }
     }
-    if(_S275)
+    if(_S276)
     {
         (*side_0) = u32(5);
         chosen_2 = share_6;
@@ -4213,13 +4221,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S275 = ((*odds_0).x) > 0.0f;
+        _S276 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S275 = false;
+        _S276 = false;
     }
-    return _S275;
+    return _S276;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
@@ -4229,16 +4237,16 @@ fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S278 : u32;
+    var _S279 : u32;
     if(lights_in_pages_0())
     {
-        _S278 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S279 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S278 = light_node_word_0(index_21, u32(8) + side_1);
+        _S279 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S278)));
+    return (bitcast<f32>((_S279)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4309,57 +4317,57 @@ fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S279 : u32;
+    var _S280 : u32;
     if(lights_in_pages_0())
     {
-        _S279 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S280 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S279 = emitter_word_0(index_24, u32(4));
-    }
-    return _S279;
-}
-
-fn emitter_luminance_at_0( index_25 : u32) -> f32
-{
-    var _S280 : f32;
-    if(lights_in_pages_0())
-    {
-        _S280 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
-    }
-    else
-    {
-        _S280 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S280 = emitter_word_0(index_24, u32(4));
     }
     return _S280;
 }
 
+fn emitter_luminance_at_0( index_25 : u32) -> f32
+{
+    var _S281 : f32;
+    if(lights_in_pages_0())
+    {
+        _S281 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+    }
+    else
+    {
+        _S281 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+    }
+    return _S281;
+}
+
 fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_11 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S281 : Emitter_0;
-    _S281.voxel_24 = voxel_25;
-    _S281.grid_10 = grid_11;
-    _S281.faces_0 = faces_1;
-    _S281.material_6 = material_7;
-    _S281.luminance_4 = luminance_5;
-    _S281.leaf_0 = leaf_1;
-    return _S281;
+    var _S282 : Emitter_0;
+    _S282.voxel_24 = voxel_25;
+    _S282.grid_10 = grid_11;
+    _S282.faces_0 = faces_1;
+    _S282.material_6 = material_7;
+    _S282.luminance_4 = luminance_5;
+    _S282.leaf_0 = leaf_1;
+    return _S282;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S282 : u32 = u32(2) * index_26;
-        var _S283 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S282);
-        var _S284 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S282 + u32(1));
-        var _S285 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S283.x), i32(_S283.y), i32(_S283.z) );
-        return Emitter_x24init_0(_S285, _S283.w, _S284.x, _S284.y, (bitcast<f32>((_S284.z))), _S284.w);
+        var _S283 : u32 = u32(2) * index_26;
+        var _S284 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S283);
+        var _S285 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S283 + u32(1));
+        var _S286 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S284.x), i32(_S284.y), i32(_S284.z) );
+        return Emitter_x24init_0(_S286, _S284.w, _S285.x, _S285.y, (bitcast<f32>((_S285.z))), _S285.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S286 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S286, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S287 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S287, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -4369,7 +4377,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_4 : u32 = way_5.count_2;
     var node_11 : u32 = way_5.node_3;
     var index_27 : u32 = way_5.index_15;
-    var _S287 : f32 = threshold_1;
+    var _S288 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -4389,7 +4397,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         var left_3 : u32 = node_11 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        if(_S287 < power_left_0)
+        if(_S288 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4402,7 +4410,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S287 = _S287 - power_left_0;
+            _S288 = _S288 - power_left_0;
         }
         if(is_left_3)
         {
@@ -4413,9 +4421,9 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
             node_11 = index_27;
         }
         var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S288 : u32 = below_0.x;
+        var _S289 : u32 = below_0.x;
         count_4 = below_0.y;
-        index_27 = _S288;
+        index_27 = _S289;
     }
     is_found_8 = false;
     var chosen_3 : u32 = index_27;
@@ -4439,10 +4447,10 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S289 : f32 = _S287 - emitter_luminance_at_0(at_5);
-            is_found_8 = _S287 < (emitter_luminance_at_0(at_5));
+            var _S290 : f32 = _S288 - emitter_luminance_at_0(at_5);
+            is_found_8 = _S288 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S287 = _S289;
+            _S288 = _S290;
         }
         at_5 = at_5 + u32(1);
     }
@@ -4479,19 +4487,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_13 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_14);
-    var _S290 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S290), low_14 + vec3<f32>((1.0f - margin_0)));
-    var _S291 : bool = face_5 < u32(2);
-    var _S292 : bool;
+    var _S291 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S291), low_14 + vec3<f32>((1.0f - margin_0)));
+    var _S292 : bool = face_5 < u32(2);
+    var _S293 : bool;
     if(face_5 >= u32(2))
     {
-        _S292 = face_5 < u32(4);
+        _S293 = face_5 < u32(4);
     }
     else
     {
-        _S292 = false;
+        _S293 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S291, _S292, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S292, _S293, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4499,7 +4507,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_14 - _S290;
+        outside_0 = low_14 - _S291;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -4513,45 +4521,45 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S293 : bool;
+    var _S294 : bool;
     if(!IS_SINGLE_0)
     {
-        _S293 = aim_2.is_met_0;
+        _S294 = aim_2.is_met_0;
     }
     else
     {
-        _S293 = false;
+        _S294 = false;
     }
-    if(_S293)
+    if(_S294)
     {
-        var _S294 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
-        if((_S294.light_leaf_0) == u32(4294967295))
+        var _S295 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
+        if((_S295.light_leaf_0) == u32(4294967295))
         {
-            _S293 = true;
+            _S294 = true;
         }
         else
         {
-            var _S295 : bool = climb_0(receiver_15, _S294.light_leaf_0, &(descent_3));
-            _S293 = !_S295;
+            var _S296 : bool = climb_0(receiver_15, _S295.light_leaf_0, &(descent_3));
+            _S294 = !_S296;
         }
-        if(_S293)
+        if(_S294)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S294.light_leaf_0);
+        Descent_at_0(&(descent_3), _S295.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S296 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
-            _S293 = !_S296;
+            var _S297 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
+            _S294 = !_S297;
         }
         else
         {
-            _S293 = false;
+            _S294 = false;
         }
-        if(_S293)
+        if(_S294)
         {
             return false;
         }
@@ -4559,35 +4567,35 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_15);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S297 : bool = descend_1(local_3, aim_2, &(descent_3));
-    if(!_S297)
+    var _S298 : bool = descend_1(local_3, aim_2, &(descent_3));
+    if(!_S298)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S298 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S298)
+    var _S299 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S299)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S299 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S300 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S300 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S299.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S300;
-        return _S300 > 0.0f;
+        var _S301 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S300.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S301;
+        return _S301 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S301 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S301, side_3, u_9.z, u_9.w);
+    var _S302 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S302, side_3, u_9.z, u_9.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_3.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S299.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S299.grid_from_world_0.translation_0), _S301, side_3, on_face_0)) - receiver_15.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S300.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S300.grid_from_world_0.translation_0), _S302, side_3, on_face_0)) - receiver_15.point_0;
     var cos_theta_5 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_27, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_5 > 0.0f;
@@ -4595,8 +4603,8 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S302 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
-    return _S302;
+    var _S303 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
+    return _S303;
 }
 
 fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -4620,9 +4628,9 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
     }
     if(is_found_9)
     {
-        var _S303 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
+        var _S304 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_9 = _S303;
+        is_found_9 = _S304;
     }
     else
     {
@@ -4644,15 +4652,15 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
         }
         if(is_found_9)
         {
-            var _S304 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S305 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_9 = _S304;
+            is_found_9 = _S305;
         }
         else
         {
-            var _S305 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S306 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_9 = _S305;
+            is_found_9 = _S306;
         }
     }
     return is_found_9;
@@ -4660,34 +4668,34 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S306 : f32;
+    var _S307 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S306 = material_of_index_0(inside_3.material_0).ior_0;
+        _S307 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S306 = 1.0f;
+        _S307 = 1.0f;
     }
-    return _S306;
+    return _S307;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S307 : Microfacets_0;
-    _S307.alpha_0 = alpha_1;
-    return _S307;
+    var _S308 : Microfacets_0;
+    _S308.alpha_0 = alpha_1;
+    return _S308;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S308 : MaterialBsdf_0;
-    _S308.kind_0 = kind_1;
-    _S308.color_0 = color_2;
-    _S308.specular_1 = specular_2;
-    _S308.eta_0 = eta_1;
-    _S308.facets_0 = facets_1;
-    return _S308;
+    var _S309 : MaterialBsdf_0;
+    _S309.kind_0 = kind_1;
+    _S309.color_0 = color_2;
+    _S309.specular_1 = specular_2;
+    _S309.eta_0 = eta_1;
+    _S309.facets_0 = facets_1;
+    return _S309;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4706,17 +4714,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S309 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S310 : f32;
-    if(u_12 < _S309)
+    var _S310 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S311 : f32;
+    if(u_12 < _S310)
     {
-        _S310 = divide_0(1.0f, _S309);
+        _S311 = divide_0(1.0f, _S310);
     }
     else
     {
-        _S310 = 0.0f;
+        _S311 = 0.0f;
     }
-    return _S310;
+    return _S311;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4730,32 +4738,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S311 : f32;
+    var _S312 : f32;
     if(face_6 < u32(2))
     {
-        _S311 = away_1;
+        _S312 = away_1;
     }
     else
     {
-        _S311 = 0.0f;
+        _S312 = 0.0f;
     }
-    var _S312 : bool;
+    var _S313 : bool;
     if(face_6 >= u32(2))
     {
-        _S312 = face_6 < u32(4);
+        _S313 = face_6 < u32(4);
     }
     else
     {
-        _S312 = false;
+        _S313 = false;
     }
-    var _S313 : f32;
-    if(_S312)
+    var _S314 : f32;
+    if(_S313)
     {
-        _S313 = away_1;
+        _S314 = away_1;
     }
     else
     {
-        _S313 = 0.0f;
+        _S314 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4764,7 +4772,7 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S311, _S313, away_1);
+    return vec3<f32>(_S312, _S314, away_1);
 }
 
 fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
@@ -4775,17 +4783,17 @@ fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
 fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S314 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S315 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S314, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S315, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        var _S315 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
-        surface_1.origin_11 = Transform_point_0(_S315.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S315.grid_from_world_0.translation_0), _S314, hit_8.face_0, Transform_point_0(_S315.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S315.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
-        surface_1.normal_3 = world_normal_0(_S315, hit_8.face_0);
+        var _S316 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
+        surface_1.origin_11 = Transform_point_0(_S316.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S316.grid_from_world_0.translation_0), _S315, hit_8.face_0, Transform_point_0(_S316.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S316.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.normal_3 = world_normal_0(_S316, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
     surface_1.instance_11 = hit_8.instance_0;
@@ -4839,8 +4847,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_15 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_44 : Inside_0,  ray_16 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    var _S316 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
-    return Transform_point_0(_S316.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S316.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S316.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S316.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
+    var _S317 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
+    return Transform_point_0(_S317.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S317.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S317.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S317.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
 }
 
 fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
@@ -4850,16 +4858,16 @@ fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_18 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S317 : Scatter_0;
-    _S317.path_3 = path_6;
-    _S317.receiver_0 = receiver_18;
-    _S317.surface_0 = surface_2;
-    _S317.bsdf_0 = bsdf_1;
-    _S317.wo_0 = wo_1;
-    _S317.compensation_0 = compensation_1;
-    _S317.is_scattered_0 = is_scattered_1;
-    _S317.wants_light_0 = wants_light_1;
-    return _S317;
+    var _S318 : Scatter_0;
+    _S318.path_3 = path_6;
+    _S318.receiver_0 = receiver_18;
+    _S318.surface_0 = surface_2;
+    _S318.bsdf_0 = bsdf_1;
+    _S318.wo_0 = wo_1;
+    _S318.compensation_0 = compensation_1;
+    _S318.is_scattered_0 = is_scattered_1;
+    _S318.wants_light_0 = wants_light_1;
+    return _S318;
 }
 
 struct BsdfSample_0
@@ -4877,9 +4885,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S318 : Diffuse_0;
-    _S318.reflectance_0 = reflectance_1;
-    return _S318;
+    var _S319 : Diffuse_0;
+    _S319.reflectance_0 = reflectance_1;
+    return _S319;
 }
 
 fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
@@ -4896,12 +4904,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S319 : BsdfSample_0;
-    _S319.wi_0 = wi_1;
-    _S319.weight_3 = weight_4;
-    _S319.pdf_8 = pdf_9;
-    _S319.is_delta_0 = is_delta_1;
-    return _S319;
+    var _S320 : BsdfSample_0;
+    _S320.wi_0 = wi_1;
+    _S320.weight_3 = weight_4;
+    _S320.pdf_8 = pdf_9;
+    _S320.is_delta_0 = is_delta_1;
+    return _S320;
 }
 
 fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -4913,8 +4921,8 @@ fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S320 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
-    return _S320;
+    var _S321 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
+    return _S321;
 }
 
 fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
@@ -4928,23 +4936,23 @@ fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3
     {
         away_2 = - local_5.z;
     }
-    var _S321 : f32 = local_5.x;
-    var _S322 : f32 = local_5.y;
-    var _S323 : vec3<f32> = vec3<f32>(_S321, _S322, away_2);
+    var _S322 : f32 = local_5.x;
+    var _S323 : f32 = local_5.y;
+    var _S324 : vec3<f32> = vec3<f32>(_S322, _S323, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_48.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S321, _S322);
+        in_grid_3 = vec3<f32>(away_2, _S322, _S323);
     }
     else
     {
         if((this_48.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S322, away_2, _S321);
+            in_grid_3 = vec3<f32>(_S323, away_2, _S322);
         }
         else
         {
-            in_grid_3 = _S323;
+            in_grid_3 = _S324;
         }
     }
     if(!IS_SINGLE_0)
@@ -5046,7 +5054,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S324 : vec3<f32> = vec3<f32>(0.0f);
+    var _S325 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5054,12 +5062,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S324;
+        le_1 = _S325;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_17.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S325 : bool = weighs_apart_0();
-    if(_S325)
+    var _S326 : bool = weighs_apart_0();
+    if(_S326)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5087,7 +5095,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S325)
+        if(!_S326)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5097,15 +5105,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S326 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S326;
+            var _S327 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S327;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S327 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S328 : f32 = (*path_7).pdf_1;
+        var _S328 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S329 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5114,13 +5122,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S327 * vec3<f32>(mis_weight_0(_S328, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S328 * vec3<f32>(mis_weight_0(_S329, light_pdf_1));
     }
-    var _S329 : f32 = ior_of_0((*path_7).inside_0);
-    var _S330 : f32 = u_16[i32(3)];
-    var _S331 : MaterialBsdf_0 = bsdf_of_0(material_9, _S329, &(_S330));
-    u_16[i32(3)] = _S330;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S331);
+    var _S330 : f32 = ior_of_0((*path_7).inside_0);
+    var _S331 : f32 = u_16[i32(3)];
+    var _S332 : MaterialBsdf_0 = bsdf_of_0(material_9, _S330, &(_S331));
+    u_16[i32(3)] = _S331;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S332);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5129,8 +5137,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S332 : bool = !is_weighed_0;
-    if(_S332)
+    var _S333 : bool = !is_weighed_0;
+    if(_S333)
     {
         if(is_chosen_0)
         {
@@ -5150,7 +5158,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S332)
+    if(_S333)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5172,19 +5180,19 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         at_6 = hit_9;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_17, at_6);
-    var _S333 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
-    var _S334 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S334);
+    var _S334 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
+    var _S335 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S335);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S335 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S335;
-        var _S336 : vec3<f32> = normalize_vector_0(_S334);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S335, ray_17, t_14), _S324);
-        wo_5 = _S336;
+        var _S336 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S336;
+        var _S337 : vec3<f32> = normalize_vector_0(_S335);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S336, ray_17, t_14), _S325);
+        wo_5 = _S337;
     }
     else
     {
@@ -5194,7 +5202,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_19 = _S333;
+        receiver_19 = _S334;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_19.point_0;
@@ -5203,13 +5211,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     {
         receiver_19 = last_5;
     }
-    if(_S332)
+    if(_S333)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S337 : bool = !MaterialBsdf_is_delta_0(_S331);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S331, wo_5, compensation_2, is_scattered_2, _S337);
+    var _S338 : bool = !MaterialBsdf_is_delta_0(_S332);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S332, wo_5, compensation_2, is_scattered_2, _S338);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5226,8 +5234,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S338 : bool = MaterialBsdf_sample_0(_S331, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S338)
+    var _S339 : bool = MaterialBsdf_sample_0(_S332, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S339)
     {
         return next_0;
     }
@@ -5274,34 +5282,34 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S339 : Path_0 = path_8;
+    var _S340 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S339.inside_0))
+    if(Inside_is_in_0(_S340.inside_0))
     {
-        absorb_0(&(_S339), _S339.inside_0, ray_19, hit_11.t_0);
+        absorb_0(&(_S340), _S340.inside_0, ray_19, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S339, hit_11, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S340, hit_11, beyond_4);
     (*sample_9).normal_1 = in_ten_bits_0(shading_normal_0(ray_19, hit_11, material_12));
-    (*sample_9).albedo_0 = _S339.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S340.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S340 : bool = ((*this_49).path_0.bounce_0) == u32(0);
-    var _S341 : bool;
+    var _S341 : bool = ((*this_49).path_0.bounce_0) == u32(0);
+    var _S342 : bool;
     if(goes_on_0)
     {
-        _S341 = _S340;
+        _S342 = _S341;
     }
     else
     {
-        _S341 = false;
+        _S342 = false;
     }
-    var _S342 : bool = !_S341;
-    (*this_49).has_shown_0 = _S342;
-    if(!_S342)
+    var _S343 : bool = !_S342;
+    (*this_49).has_shown_0 = _S343;
+    if(!_S343)
     {
         (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
     }
@@ -5311,16 +5319,16 @@ fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
         {
             show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, &((*sample_10)));
             (*sample_10).place_0 = (*this_49).camera_ray_0.origin_0 + (*this_49).camera_ray_0.direction_0 * vec3<f32>(((*this_49).way_3 + hit_12.t_0));
-            var _S343 : u32;
+            var _S344 : u32;
             if(((*this_49).way_3) > 0.0f)
             {
-                _S343 = u32(4294967295);
+                _S344 = u32(4294967295);
             }
             else
             {
-                _S343 = hit_12.instance_0;
+                _S344 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S343;
+            (*sample_10).instance_7 = _S344;
         }
     }
     return;
@@ -5341,10 +5349,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S344 : BsdfEval_0;
-    _S344.weight_5 = weight_6;
-    _S344.pdf_10 = pdf_11;
-    return _S344;
+    var _S345 : BsdfEval_0;
+    _S345.weight_5 = weight_6;
+    _S345.pdf_10 = pdf_11;
+    return _S345;
 }
 
 fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5382,18 +5390,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
-        var _S345 : vec4<f32>;
+        var _S346 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S345 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S346 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            _S345 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S346 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
-        u_17 = _S345;
-        var _S346 : bool = count_5 > u32(1);
-        if(_S346)
+        u_17 = _S346;
+        var _S347 : bool = count_5 > u32(1);
+        if(_S347)
         {
             u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -5404,7 +5412,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S347 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
+        var _S348 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5412,22 +5420,22 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S347;
+            wi_5 = _S348;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S348 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S348);
+        var _S349 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S349);
         var sum_5 : f32 = sum_4 + weight_7;
-        var _S349 : bool;
-        if(_S346)
+        var _S350 : bool;
+        if(_S347)
         {
-            _S349 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
+            _S350 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_7;
         }
         else
         {
-            _S349 = false;
+            _S350 = false;
         }
-        if(_S349)
+        if(_S350)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5438,7 +5446,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         {
             (*next_1).shadow_direction_0 = light_7.ray_13.direction_0;
             (*next_1).shadow_t_max_0 = light_7.ray_13.t_max_0;
-            (*next_1).light_2 = _S348;
+            (*next_1).light_2 = _S349;
             chosen_5 = weight_7;
         }
         else
@@ -5449,9 +5457,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S350 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S350;
-    if(_S350)
+    var _S351 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S351;
+    if(_S351)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5461,7 +5469,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
-    var _S351 : bool = (*at_7).is_at_cell_0;
+    var _S352 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
@@ -5472,8 +5480,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S352 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S352;
+        var _S353 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S353;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5484,8 +5492,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S353 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S353;
+            var _S354 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S354;
         }
         else
         {
@@ -5493,12 +5501,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S352;
-        var _S354 : Path_0 = (*at_7).path_0;
-        var _S355 : NextRays_0 = PathTracingOf_advance_0(&(_S354), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S354;
-        next_2 = _S355;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S352)));
+        var emitted_2 : vec3<f32> = _S353;
+        var _S355 : Path_0 = (*at_7).path_0;
+        var _S356 : NextRays_0 = PathTracingOf_advance_0(&(_S355), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S355;
+        next_2 = _S356;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S353)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5513,7 +5521,7 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if(_S351)
+    if(_S352)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5544,64 +5552,72 @@ fn key_of_1( hit_14 : Hit_0,  size_2 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_2, 1.0f, 128.0f);
     var power_6 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S356 : f32;
+    var _S357 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S356 = 1.0f;
+        _S357 = 1.0f;
     }
     else
     {
-        _S356 = 0.0f;
+        _S357 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_6 + _S356, 6.0f));
-    var _S357 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S357)));
-    var _S358 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S357))));
-    (*code_3) = u32(1) + (((((((_S358.x) | ((((_S358.y) << (level_1)))))) | ((((_S358.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_6 + _S357, 6.0f));
+    var _S358 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S358)));
+    var _S359 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S358))));
+    (*code_3) = u32(1) + (((((((_S359.x) | ((((_S359.y) << (level_1)))))) | ((((_S359.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_20 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S359 : bool;
+    var _S360 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S359 = true;
+        _S360 = true;
     }
     else
     {
-        _S359 = Inside_is_in_0(path_9.inside_0);
+        _S360 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S359)
+    if(_S360)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S359 = true;
+        _S360 = true;
     }
     else
     {
-        _S359 = (material_13.transmission_0) > 0.0f;
+        _S360 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S359)
+    if(_S360)
     {
         return false;
     }
     var code_4 : u32;
     var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_20.origin_0 + ray_20.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
-    var least_1 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_4)))));
+    var _S361 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
+    var is_from_first_1 : bool = (path_9.bounce_0) < u32(2);
     if(life_2 == u32(0))
     {
-        _S359 = true;
+        _S360 = true;
     }
     else
     {
-        _S359 = (hit_15.t_0 * square_root_0(length_squared_0(ray_20.direction_0))) < least_1;
+        if(is_from_first_1)
+        {
+            _S360 = (hit_15.t_0 * square_root_0(length_squared_0(ray_20.direction_0))) < _S361;
+        }
+        else
+        {
+            _S360 = false;
+        }
     }
-    if(_S359)
+    if(_S360)
     {
         return false;
     }
@@ -5633,13 +5649,13 @@ fn SunDisc_sample_1( receiver_20 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S360 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S360, _S360, 0.0f);
+    var _S362 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S362, _S362, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S361 : f32 = u_20.x * edge_1;
-    var _S362 : f32 = edge_1 - 1.0f;
-    var _S363 : f32 = min(floor(_S361), _S362);
-    var own_2 : u32 = u32(_S363) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S362));
+    var _S363 : f32 = u_20.x * edge_1;
+    var _S364 : f32 = edge_1 - 1.0f;
+    var _S365 : f32 = min(floor(_S363), _S364);
+    var own_2 : u32 = u32(_S365) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S364));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
@@ -5654,10 +5670,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S364 : u32 = index_28 % params_0.sky_edge_0;
-    var _S365 : f32 = f32(_S364);
-    var _S366 : u32 = index_28 / params_0.sky_edge_0;
-    var place_5 : vec2<f32> = vec2<f32>(_S365, f32(_S366)) + vec2<f32>(min(_S361 - _S363, 1.0f), u_20.w);
+    var _S366 : u32 = index_28 % params_0.sky_edge_0;
+    var _S367 : f32 = f32(_S366);
+    var _S368 : u32 = index_28 / params_0.sky_edge_0;
+    var place_5 : vec2<f32> = vec2<f32>(_S367, f32(_S368)) + vec2<f32>(min(_S363 - _S365, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_5 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_5), pdf_12);
     return true;
 }
@@ -5666,17 +5682,17 @@ fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S367 : bool;
+    var _S369 : bool;
     if(SKY_0 != u32(1))
     {
-        _S367 = true;
+        _S369 = true;
     }
     else
     {
-        var _S368 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S367 = !_S368;
+        var _S370 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S369 = !_S370;
     }
-    if(_S367)
+    if(_S369)
     {
         return false;
     }
@@ -5701,7 +5717,7 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S369 : LightNode_0 = node_13;
+        var _S371 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5709,59 +5725,59 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S369.parent_0);
-        var _S370 : u32 = _S369.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S370;
-        var _S371 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S371.parent_0);
+        var _S372 : u32 = _S371.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S372;
+        var _S373 : u32;
         if(is_left_4)
         {
-            _S371 = parent_2.index_11;
+            _S373 = parent_2.index_11;
         }
         else
         {
-            _S371 = _S370;
+            _S373 = _S372;
         }
-        var _S372 : View_0 = view_0(node_13, receiver_22);
-        var _S373 : View_0 = view_0(top_light_node_0(_S371), receiver_22);
-        var _S374 : f32;
+        var _S374 : View_0 = view_0(node_13, receiver_22);
+        var _S375 : View_0 = view_0(top_light_node_0(_S373), receiver_22);
+        var _S376 : f32;
         if(is_left_4)
         {
-            _S374 = _S372.importance_0;
+            _S376 = _S374.importance_0;
         }
         else
         {
-            _S374 = _S373.importance_0;
+            _S376 = _S375.importance_0;
         }
-        var _S375 : f32;
+        var _S377 : f32;
         if(is_left_4)
         {
-            _S375 = _S373.importance_0;
+            _S377 = _S375.importance_0;
         }
         else
         {
-            _S375 = _S372.importance_0;
+            _S377 = _S374.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S374, _S375);
-        var _S376 : f32 = weights_3.x;
-        var _S377 : f32 = weights_3.y;
-        var total_6 : f32 = _S376 + _S377;
+        var weights_3 : vec2<f32> = weights_of_0(_S376, _S377);
+        var _S378 : f32 = weights_3.x;
+        var _S379 : f32 = weights_3.y;
+        var total_6 : f32 = _S378 + _S379;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S378 : f32;
+        var _S380 : f32;
         if(is_left_4)
         {
-            _S378 = _S376;
+            _S380 = _S378;
         }
         else
         {
-            _S378 = _S377;
+            _S380 = _S379;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S378;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S380;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S369.parent_0;
+        at_8 = _S371.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5770,16 +5786,16 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S379 : bool;
+        var _S381 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S379 = !(*descent_5).is_far_3;
+            _S381 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S379 = false;
+            _S381 = false;
         }
-        if(_S379)
+        if(_S381)
         {
         }
         else
@@ -5793,29 +5809,29 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_23).importance_0, view_0(right_3, receiver_23).importance_0);
-        var _S380 : f32 = weights_4.x;
-        var _S381 : f32 = weights_4.y;
-        var total_7 : f32 = _S380 + _S381;
+        var _S382 : f32 = weights_4.x;
+        var _S383 : f32 = weights_4.y;
+        var total_7 : f32 = _S382 + _S383;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S382 : bool;
-        if(_S381 <= 0.0f)
+        var _S384 : bool;
+        if(_S383 <= 0.0f)
         {
-            _S382 = true;
+            _S384 = true;
         }
         else
         {
-            _S382 = ((*descent_5).choice_0 * total_7) < (_S380 * (*descent_5).weight_0);
+            _S384 = ((*descent_5).choice_0 * total_7) < (_S382 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S383 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S383 >= (vector_of_0(left_4.min_1))))))
+            var _S385 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S385 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S383 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S385 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5824,63 +5840,63 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S382;
+            is_left_5 = _S384;
         }
-        var _S384 : f32 = (*descent_5).choice_0 * total_7;
-        var _S385 : f32;
+        var _S386 : f32 = (*descent_5).choice_0 * total_7;
+        var _S387 : f32;
         if(is_left_5)
         {
-            _S385 = 0.0f;
+            _S387 = 0.0f;
         }
         else
         {
-            _S385 = _S380 * (*descent_5).weight_0;
+            _S387 = _S382 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S384 - _S385;
-        var _S386 : u32;
-        if(is_left_5)
-        {
-            _S386 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S386 = (*descent_5).index_15;
-        }
-        (*descent_5).node_3 = _S386;
-        var _S387 : u32;
-        if(is_left_5)
-        {
-            _S387 = left_4.index_11;
-        }
-        else
-        {
-            _S387 = right_3.index_11;
-        }
-        (*descent_5).index_15 = _S387;
+        (*descent_5).choice_0 = _S386 - _S387;
         var _S388 : u32;
         if(is_left_5)
         {
-            _S388 = left_4.count_1;
+            _S388 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S388 = right_3.count_1;
+            _S388 = (*descent_5).index_15;
         }
-        (*descent_5).count_2 = _S388;
-        (*descent_5).is_far_3 = false;
-        var _S389 : f32;
+        (*descent_5).node_3 = _S388;
+        var _S389 : u32;
         if(is_left_5)
         {
-            _S389 = _S380;
+            _S389 = left_4.index_11;
         }
         else
         {
-            _S389 = _S381;
+            _S389 = right_3.index_11;
         }
-        var _S390 : f32 = (*descent_5).weight_0 * _S389;
-        (*descent_5).weight_0 = _S390;
+        (*descent_5).index_15 = _S389;
+        var _S390 : u32;
+        if(is_left_5)
+        {
+            _S390 = left_4.count_1;
+        }
+        else
+        {
+            _S390 = right_3.count_1;
+        }
+        (*descent_5).count_2 = _S390;
+        (*descent_5).is_far_3 = false;
+        var _S391 : f32;
+        if(is_left_5)
+        {
+            _S391 = _S382;
+        }
+        else
+        {
+            _S391 = _S383;
+        }
+        var _S392 : f32 = (*descent_5).weight_0 * _S391;
+        (*descent_5).weight_0 = _S392;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S390 <= 0.0f)
+        if(_S392 <= 0.0f)
         {
             return false;
         }
@@ -5902,16 +5918,16 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S391 : bool;
+        var _S393 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S391 = !(*descent_6).is_far_3;
+            _S393 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S391 = false;
+            _S393 = false;
         }
-        if(_S391)
+        if(_S393)
         {
         }
         else
@@ -5927,29 +5943,29 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_5, receiver_24);
         var of_right_1 : View_0 = view_0(right_4, receiver_24);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S392 : f32 = weights_5.x;
-        var _S393 : f32 = weights_5.y;
-        var total_8 : f32 = _S392 + _S393;
+        var _S394 : f32 = weights_5.x;
+        var _S395 : f32 = weights_5.y;
+        var total_8 : f32 = _S394 + _S395;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S394 : bool;
-        if(_S393 <= 0.0f)
+        var _S396 : bool;
+        if(_S395 <= 0.0f)
         {
-            _S394 = true;
+            _S396 = true;
         }
         else
         {
-            _S394 = ((*descent_6).choice_0 * total_8) < (_S392 * (*descent_6).weight_0);
+            _S396 = ((*descent_6).choice_0 * total_8) < (_S394 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S395 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S395 >= (vector_of_0(left_5.min_1))))))
+            var _S397 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S397 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S395 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S397 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5958,72 +5974,72 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S394;
+            is_left_6 = _S396;
         }
-        var _S396 : f32 = (*descent_6).choice_0 * total_8;
-        var _S397 : f32;
+        var _S398 : f32 = (*descent_6).choice_0 * total_8;
+        var _S399 : f32;
         if(is_left_6)
         {
-            _S397 = 0.0f;
+            _S399 = 0.0f;
         }
         else
         {
-            _S397 = _S392 * (*descent_6).weight_0;
+            _S399 = _S394 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S396 - _S397;
-        var _S398 : u32;
-        if(is_left_6)
-        {
-            _S398 = (*descent_6).node_3 + u32(1);
-        }
-        else
-        {
-            _S398 = (*descent_6).index_15;
-        }
-        (*descent_6).node_3 = _S398;
-        var _S399 : u32;
-        if(is_left_6)
-        {
-            _S399 = left_5.index_11;
-        }
-        else
-        {
-            _S399 = right_4.index_11;
-        }
-        (*descent_6).index_15 = _S399;
+        (*descent_6).choice_0 = _S398 - _S399;
         var _S400 : u32;
         if(is_left_6)
         {
-            _S400 = left_5.count_1;
+            _S400 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S400 = right_4.count_1;
+            _S400 = (*descent_6).index_15;
         }
-        (*descent_6).count_2 = _S400;
-        var _S401 : bool;
+        (*descent_6).node_3 = _S400;
+        var _S401 : u32;
         if(is_left_6)
         {
-            _S401 = of_left_1.is_far_0;
+            _S401 = left_5.index_11;
         }
         else
         {
-            _S401 = of_right_1.is_far_0;
+            _S401 = right_4.index_11;
         }
-        (*descent_6).is_far_3 = _S401;
-        var _S402 : f32;
+        (*descent_6).index_15 = _S401;
+        var _S402 : u32;
         if(is_left_6)
         {
-            _S402 = _S392;
+            _S402 = left_5.count_1;
         }
         else
         {
-            _S402 = _S393;
+            _S402 = right_4.count_1;
         }
-        var _S403 : f32 = (*descent_6).weight_0 * _S402;
-        (*descent_6).weight_0 = _S403;
+        (*descent_6).count_2 = _S402;
+        var _S403 : bool;
+        if(is_left_6)
+        {
+            _S403 = of_left_1.is_far_0;
+        }
+        else
+        {
+            _S403 = of_right_1.is_far_0;
+        }
+        (*descent_6).is_far_3 = _S403;
+        var _S404 : f32;
+        if(is_left_6)
+        {
+            _S404 = _S394;
+        }
+        else
+        {
+            _S404 = _S395;
+        }
+        var _S405 : f32 = (*descent_6).weight_0 * _S404;
+        (*descent_6).weight_0 = _S405;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S403 <= 0.0f)
+        if(_S405 <= 0.0f)
         {
             return false;
         }
@@ -6034,29 +6050,29 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S404 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S405 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S406 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S404 - _S405) * _S406;
-    var toward_3 : vec3<f32> = (_S405 + _S404) * _S406 - point_6;
+    var _S406 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S407 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S408 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S406 - _S407) * _S408;
+    var toward_3 : vec3<f32> = (_S407 + _S406) * _S408 - point_6;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_6, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S407 : f32 = way_6.choice_0 * total_9;
-    var _S408 : u32 = (*side_4);
+    var _S409 : f32 = way_6.choice_0 * total_9;
+    var _S410 : u32 = (*side_4);
     var share_8 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
-    var _S409 : bool;
+    var _S411 : bool;
     if(is_met_3)
     {
-        _S409 = u32(0) == _S408;
+        _S411 = u32(0) == _S410;
     }
     else
     {
-        _S409 = share_8 > 0.0f;
+        _S411 = share_8 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S409)
+    if(_S411)
     {
         (*side_4) = u32(0);
         chosen_8 = share_8;
@@ -6065,108 +6081,138 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S410 : bool = _S407 < (share_8 * way_6.weight_0);
+    var _S412 : bool = _S409 < (share_8 * way_6.weight_0);
     var share_9 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S409 = u32(1) == _S408;
+        _S411 = u32(1) == _S410;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S409 = !_S410;
+            _S411 = !_S412;
         }
         else
         {
-            _S409 = false;
+            _S411 = false;
         }
     }
-    if(_S409)
+    if(_S411)
     {
         (*side_4) = u32(1);
         chosen_8 = share_9;
     }
     var passed_4 : f32 = share_8 + share_9;
-    if(_S410)
+    if(_S412)
     {
-        _S409 = true;
+        _S411 = true;
     }
     else
     {
-        _S409 = _S407 < (passed_4 * way_6.weight_0);
+        _S411 = _S409 < (passed_4 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
-    var _S411 : bool;
+    var _S413 : bool;
     if(is_met_3)
     {
-        _S411 = u32(2) == _S408;
+        _S413 = u32(2) == _S410;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S411 = !_S409;
+            _S413 = !_S411;
         }
         else
         {
-            _S411 = false;
+            _S413 = false;
         }
     }
-    if(_S411)
+    if(_S413)
     {
         (*side_4) = u32(2);
         chosen_8 = share_10;
     }
     var passed_5 : f32 = passed_4 + share_10;
-    if(_S409)
+    if(_S411)
     {
-        _S409 = true;
+        _S411 = true;
     }
     else
     {
-        _S409 = _S407 < (passed_5 * way_6.weight_0);
+        _S411 = _S409 < (passed_5 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S411 = u32(3) == _S408;
+        _S413 = u32(3) == _S410;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S411 = !_S409;
+            _S413 = !_S411;
         }
         else
         {
-            _S411 = false;
+            _S413 = false;
         }
     }
-    if(_S411)
+    if(_S413)
     {
         (*side_4) = u32(3);
         chosen_8 = share_11;
     }
     var passed_6 : f32 = passed_5 + share_11;
-    if(_S409)
+    if(_S411)
     {
-        _S409 = true;
+        _S411 = true;
     }
     else
     {
-        _S409 = _S407 < (passed_6 * way_6.weight_0);
+        _S411 = _S409 < (passed_6 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S411 = u32(4) == _S408;
+        _S413 = u32(4) == _S410;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S411 = !_S409;
+            _S413 = !_S411;
+        }
+        else
+        {
+            _S413 = false;
+        }
+    }
+    if(_S413)
+    {
+        (*side_4) = u32(4);
+        chosen_8 = share_12;
+    }
+    var passed_7 : f32 = passed_6 + share_12;
+    if(_S411)
+    {
+        _S411 = true;
+    }
+    else
+    {
+        _S411 = _S409 < (passed_7 * way_6.weight_0);
+    }
+    var share_13 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S411 = u32(5) == _S410;
+    }
+    else
+    {
+        if(share_13 > 0.0f)
+        {
+            _S411 = !_S411;
         }
         else
         {
@@ -6174,36 +6220,6 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
         }
     }
     if(_S411)
-    {
-        (*side_4) = u32(4);
-        chosen_8 = share_12;
-    }
-    var passed_7 : f32 = passed_6 + share_12;
-    if(_S409)
-    {
-        _S409 = true;
-    }
-    else
-    {
-        _S409 = _S407 < (passed_7 * way_6.weight_0);
-    }
-    var share_13 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
-    if(is_met_3)
-    {
-        _S409 = u32(5) == _S408;
-    }
-    else
-    {
-        if(share_13 > 0.0f)
-        {
-            _S409 = !_S409;
-        }
-        else
-        {
-            _S409 = false;
-        }
-    }
-    if(_S409)
     {
         (*side_4) = u32(5);
         chosen_8 = share_13;
@@ -6211,13 +6227,13 @@ fn choose_side_1( point_6 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S409 = ((*odds_3).x) > 0.0f;
+        _S411 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S409 = false;
+        _S411 = false;
     }
-    return _S409;
+    return _S411;
 }
 
 fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6229,45 +6245,45 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S412 : bool;
+    var _S414 : bool;
     if(!IS_SINGLE_0)
     {
-        _S412 = aim_7.is_met_0;
+        _S414 = aim_7.is_met_0;
     }
     else
     {
-        _S412 = false;
+        _S414 = false;
     }
-    if(_S412)
+    if(_S414)
     {
-        var _S413 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S413.light_leaf_0) == u32(4294967295))
+        var _S415 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S415.light_leaf_0) == u32(4294967295))
         {
-            _S412 = true;
+            _S414 = true;
         }
         else
         {
-            var _S414 : bool = climb_1(receiver_25, _S413.light_leaf_0, &(descent_7));
-            _S412 = !_S414;
+            var _S416 : bool = climb_1(receiver_25, _S415.light_leaf_0, &(descent_7));
+            _S414 = !_S416;
         }
-        if(_S412)
+        if(_S414)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S413.light_leaf_0);
+        Descent_at_2(&(descent_7), _S415.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S415 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
-            _S412 = !_S415;
+            var _S417 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
+            _S414 = !_S417;
         }
         else
         {
-            _S412 = false;
+            _S414 = false;
         }
-        if(_S412)
+        if(_S414)
         {
             return false;
         }
@@ -6275,35 +6291,35 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_25);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S416 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S416)
+    var _S418 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S418)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S417 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S417)
+    var _S419 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S419)
     {
         return false;
     }
     var power_7 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S418 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S420 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S419 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S418.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S419;
-        return _S419 > 0.0f;
+        var _S421 : f32 = density_0(odds_4, aim_7.luminance_1, power_7, Transform_direction_0(_S420.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S421;
+        return _S421 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_7);
-    var _S420 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S420, side_5, u_22.z, u_22.w);
+    var _S422 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S422, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_7, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S418.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S418.grid_from_world_0.translation_0), _S420, side_5, on_face_1)) - receiver_25.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S420.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S420.grid_from_world_0.translation_0), _S422, side_5, on_face_1)) - receiver_25.point_0;
     var cos_theta_9 : f32 = with_slack_0(receiver_25, divide_0(dot_product_0(receiver_25.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_25.point_0, 0.0f, direction_29, 1.0f), cos_theta_9, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_9 > 0.0f;
@@ -6311,8 +6327,8 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_26 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S421 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
-    return _S421;
+    var _S423 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
+    return _S423;
 }
 
 fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6336,9 +6352,9 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S422 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
+        var _S424 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S422;
+        is_found_11 = _S424;
     }
     else
     {
@@ -6360,15 +6376,15 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S423 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S425 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S423;
+            is_found_11 = _S425;
         }
         else
         {
-            var _S424 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S426 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S424;
+            is_found_11 = _S426;
         }
     }
     return is_found_11;
@@ -6388,8 +6404,8 @@ fn Diffuse_sample_1( this_55 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_56 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S425 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
-    return _S425;
+    var _S427 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
+    return _S427;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6484,7 +6500,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S426 : vec3<f32> = vec3<f32>(0.0f);
+    var _S428 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6492,12 +6508,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
     }
     else
     {
-        le_3 = _S426;
+        le_3 = _S428;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_22.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S427 : bool = weighs_apart_0();
-    if(_S427)
+    var _S429 : bool = weighs_apart_0();
+    if(_S429)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6525,7 +6541,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S427)
+        if(!_S429)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6535,15 +6551,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S428 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S428;
+            var _S430 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S430;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S429 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S430 : f32 = (*path_11).pdf_1;
+        var _S431 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S432 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6552,13 +6568,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S429 * vec3<f32>(mis_weight_0(_S430, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S431 * vec3<f32>(mis_weight_0(_S432, light_pdf_2));
     }
-    var _S431 : f32 = ior_of_0((*path_11).inside_0);
-    var _S432 : f32 = u_27[i32(3)];
-    var _S433 : MaterialBsdf_0 = bsdf_of_1(material_15, _S431, &(_S432));
-    u_27[i32(3)] = _S432;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S433);
+    var _S433 : f32 = ior_of_0((*path_11).inside_0);
+    var _S434 : f32 = u_27[i32(3)];
+    var _S435 : MaterialBsdf_0 = bsdf_of_1(material_15, _S433, &(_S434));
+    u_27[i32(3)] = _S434;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S435);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6567,8 +6583,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S434 : bool = !is_weighed_1;
-    if(_S434)
+    var _S436 : bool = !is_weighed_1;
+    if(_S436)
     {
         if(is_chosen_1)
         {
@@ -6588,7 +6604,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S434)
+    if(_S436)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6610,19 +6626,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_22, at_9);
-    var _S435 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
-    var _S436 : vec3<f32> = (vec3<f32>(0) - ray_22.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S436);
+    var _S437 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
+    var _S438 : vec3<f32> = (vec3<f32>(0) - ray_22.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S438);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S437 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S437;
-        var _S438 : vec3<f32> = normalize_vector_0(_S436);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S437, ray_22, t_16), _S426);
-        wo_11 = _S438;
+        var _S439 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S439;
+        var _S440 : vec3<f32> = normalize_vector_0(_S438);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S439, ray_22, t_16), _S428);
+        wo_11 = _S440;
     }
     else
     {
@@ -6632,7 +6648,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_28 = _S435;
+        receiver_28 = _S437;
         wo_11 = wo_10;
     }
     next_3.origin_9 = receiver_28.point_0;
@@ -6641,13 +6657,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
     {
         receiver_28 = last_6;
     }
-    if(_S434)
+    if(_S436)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S439 : bool = !MaterialBsdf_is_delta_0(_S433);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S433, wo_11, compensation_3, is_scattered_3, _S439);
+    var _S441 : bool = !MaterialBsdf_is_delta_0(_S435);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S435, wo_11, compensation_3, is_scattered_3, _S441);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6664,8 +6680,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S440 : bool = MaterialBsdf_sample_1(_S433, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S440)
+    var _S442 : bool = MaterialBsdf_sample_1(_S435, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S442)
     {
         return next_3;
     }
@@ -6692,34 +6708,34 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_22 : Ray_0,  h
 
 fn show_1( path_12 : Path_0,  ray_23 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S441 : Path_0 = path_12;
+    var _S443 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S441.inside_0))
+    if(Inside_is_in_0(_S443.inside_0))
     {
-        absorb_1(&(_S441), _S441.inside_0, ray_23, hit_17.t_0);
+        absorb_1(&(_S443), _S443.inside_0, ray_23, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S441, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S443, hit_17, beyond_9);
     (*sample_19).normal_1 = in_ten_bits_0(shading_normal_0(ray_23, hit_17, material_16));
-    (*sample_19).albedo_0 = _S441.beta_0 * albedo_of_0(material_16);
+    (*sample_19).albedo_0 = _S443.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S442 : bool = ((*this_57).path_0.bounce_0) == u32(0);
-    var _S443 : bool;
+    var _S444 : bool = ((*this_57).path_0.bounce_0) == u32(0);
+    var _S445 : bool;
     if(goes_on_3)
     {
-        _S443 = _S442;
+        _S445 = _S444;
     }
     else
     {
-        _S443 = false;
+        _S445 = false;
     }
-    var _S444 : bool = !_S443;
-    (*this_57).has_shown_0 = _S444;
-    if(!_S444)
+    var _S446 : bool = !_S445;
+    (*this_57).has_shown_0 = _S446;
+    if(!_S446)
     {
         (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
     }
@@ -6729,16 +6745,16 @@ fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18
         {
             show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, &((*sample_20)));
             (*sample_20).place_0 = (*this_57).camera_ray_0.origin_0 + (*this_57).camera_ray_0.direction_0 * vec3<f32>(((*this_57).way_3 + hit_18.t_0));
-            var _S445 : u32;
+            var _S447 : u32;
             if(((*this_57).way_3) > 0.0f)
             {
-                _S445 = u32(4294967295);
+                _S447 = u32(4294967295);
             }
             else
             {
-                _S445 = hit_18.instance_0;
+                _S447 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S445;
+            (*sample_20).instance_7 = _S447;
         }
     }
     return;
@@ -6769,18 +6785,18 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S446 : vec4<f32>;
+        var _S448 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S446 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S448 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S446 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S448 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S446;
-        var _S447 : bool = count_6 > u32(1);
-        if(_S447)
+        u_28 = _S448;
+        var _S449 : bool = count_6 > u32(1);
+        if(_S449)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
@@ -6791,7 +6807,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S448 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
+        var _S450 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -6799,22 +6815,22 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S448;
+            wi_7 = _S450;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S449 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_8 : f32 = luminance_0(_S449);
+        var _S451 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_8 : f32 = luminance_0(_S451);
         var sum_8 : f32 = sum_7 + weight_8;
-        var _S450 : bool;
-        if(_S447)
+        var _S452 : bool;
+        if(_S449)
         {
-            _S450 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
+            _S452 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_8;
         }
         else
         {
-            _S450 = false;
+            _S452 = false;
         }
-        if(_S450)
+        if(_S452)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6825,7 +6841,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_13.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_13.t_max_0;
-            (*next_4).light_2 = _S449;
+            (*next_4).light_2 = _S451;
             chosen_10 = weight_8;
         }
         else
@@ -6836,9 +6852,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S451 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S451;
-    if(_S451)
+    var _S453 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S453;
+    if(_S453)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6848,7 +6864,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
-    var _S452 : bool = (*at_10).is_at_cell_0;
+    var _S454 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
@@ -6859,8 +6875,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S453 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S453;
+        var _S455 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S455;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -6871,8 +6887,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S454 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S454;
+            var _S456 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S456;
         }
         else
         {
@@ -6880,12 +6896,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S453;
-        var _S455 : Path_0 = (*at_10).path_0;
-        var _S456 : NextRays_0 = PathTracingOf_advance_1(&(_S455), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S455;
-        next_5 = _S456;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S453)));
+        var emitted_4 : vec3<f32> = _S455;
+        var _S457 : Path_0 = (*at_10).path_0;
+        var _S458 : NextRays_0 = PathTracingOf_advance_1(&(_S457), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S457;
+        next_5 = _S458;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S455)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -6900,7 +6916,7 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if(_S452)
+    if(_S454)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -7019,7 +7035,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S457 : vec3<f32> = vec3<f32>(0.0f);
+    var _S459 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7027,12 +7043,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     else
     {
-        le_5 = _S457;
+        le_5 = _S459;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S458 : bool = weighs_apart_0();
-    if(_S458)
+    var _S460 : bool = weighs_apart_0();
+    if(_S460)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7060,7 +7076,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S458)
+        if(!_S460)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7070,15 +7086,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S459 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S459;
+            var _S461 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S461;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S460 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S461 : f32 = (*path_13).pdf_1;
+        var _S462 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S463 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7087,13 +7103,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S460 * vec3<f32>(mis_weight_0(_S461, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S462 * vec3<f32>(mis_weight_0(_S463, light_pdf_3));
     }
-    var _S462 : f32 = ior_of_0((*path_13).inside_0);
-    var _S463 : f32 = u_29[i32(3)];
-    var _S464 : MaterialBsdf_0 = bsdf_of_1(material_17, _S462, &(_S463));
-    u_29[i32(3)] = _S463;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S464);
+    var _S464 : f32 = ior_of_0((*path_13).inside_0);
+    var _S465 : f32 = u_29[i32(3)];
+    var _S466 : MaterialBsdf_0 = bsdf_of_1(material_17, _S464, &(_S465));
+    u_29[i32(3)] = _S465;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S466);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7102,8 +7118,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S465 : bool = !is_weighed_2;
-    if(_S465)
+    var _S467 : bool = !is_weighed_2;
+    if(_S467)
     {
         if(is_chosen_2)
         {
@@ -7123,7 +7139,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S465)
+    if(_S467)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7145,19 +7161,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_24, at_11);
-    var _S466 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
-    var _S467 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S467);
+    var _S468 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
+    var _S469 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S469);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_29 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S468 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S468;
-        var _S469 : vec3<f32> = normalize_vector_0(_S467);
-        receiver_29 = Receiver_x24init_0(Inside_point_0(_S468, ray_24, t_17), _S457);
-        wo_13 = _S469;
+        var _S470 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S470;
+        var _S471 : vec3<f32> = normalize_vector_0(_S469);
+        receiver_29 = Receiver_x24init_0(Inside_point_0(_S470, ray_24, t_17), _S459);
+        wo_13 = _S471;
     }
     else
     {
@@ -7167,7 +7183,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_29 = _S466;
+        receiver_29 = _S468;
         wo_13 = wo_12;
     }
     next_6.origin_9 = receiver_29.point_0;
@@ -7176,13 +7192,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         receiver_29 = last_7;
     }
-    if(_S465)
+    if(_S467)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_29);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S470 : bool = !MaterialBsdf_is_delta_0(_S464);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S464, wo_13, compensation_4, is_scattered_4, _S470);
+    var _S472 : bool = !MaterialBsdf_is_delta_0(_S466);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S466, wo_13, compensation_4, is_scattered_4, _S472);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7199,8 +7215,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S471 : bool = MaterialBsdf_sample_1(_S464, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S471)
+    var _S473 : bool = MaterialBsdf_sample_1(_S466, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S473)
     {
         return next_6;
     }
@@ -7228,7 +7244,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
-    var _S472 : bool = (*at_12).is_at_cell_0;
+    var _S474 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
@@ -7239,8 +7255,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S473 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S473;
+        var _S475 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S475;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7251,8 +7267,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S474 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S474;
+            var _S476 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S476;
         }
         else
         {
@@ -7260,12 +7276,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S473;
-        var _S475 : Path_0 = (*at_12).path_0;
-        var _S476 : NextRays_0 = PathTracingOf_advance_1(&(_S475), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S475;
-        next_7 = _S476;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S473)));
+        var emitted_5 : vec3<f32> = _S475;
+        var _S477 : Path_0 = (*at_12).path_0;
+        var _S478 : NextRays_0 = PathTracingOf_advance_1(&(_S477), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S477;
+        next_7 = _S478;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S475)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7276,7 +7292,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if(_S472)
+    if(_S474)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7318,22 +7334,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S477 : u32 = u32(2) * index_30;
-    var _S478 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S477);
-    var _S479 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S477 + u32(1));
+    var _S479 : u32 = u32(2) * index_30;
+    var _S480 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S479);
+    var _S481 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S479 + u32(1));
     var node_16 : InstanceNode_0;
-    var _S480 : f32 = (bitcast<f32>((_S478.y)));
-    var _S481 : f32 = (bitcast<f32>((_S478.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((_S478.x)));
-    node_16.min_2[i32(1)] = _S480;
-    node_16.min_2[i32(2)] = _S481;
-    node_16.index_29 = _S478.w;
-    var _S482 : f32 = (bitcast<f32>((_S479.y)));
-    var _S483 : f32 = (bitcast<f32>((_S479.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((_S479.x)));
-    node_16.max_2[i32(1)] = _S482;
-    node_16.max_2[i32(2)] = _S483;
-    node_16.is_leaf_0 = _S479.w;
+    var _S482 : f32 = (bitcast<f32>((_S480.y)));
+    var _S483 : f32 = (bitcast<f32>((_S480.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((_S480.x)));
+    node_16.min_2[i32(1)] = _S482;
+    node_16.min_2[i32(2)] = _S483;
+    node_16.index_29 = _S480.w;
+    var _S484 : f32 = (bitcast<f32>((_S481.y)));
+    var _S485 : f32 = (bitcast<f32>((_S481.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((_S481.x)));
+    node_16.max_2[i32(1)] = _S484;
+    node_16.max_2[i32(2)] = _S485;
+    node_16.is_leaf_0 = _S481.w;
     return node_16;
 }
 
@@ -7341,17 +7357,17 @@ fn entry_0( node_17 : InstanceNode_0,  ray_25 : Ray_0,  inverse_3 : vec3<f32>) -
 {
     var low_16 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_25.origin_0) * inverse_3;
     var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_25.origin_0) * inverse_3;
-    var _S484 : f32 = max(ray_25.t_min_0, max_element_0(min(low_16, high_6)));
-    var _S485 : f32;
-    if(_S484 <= (min(ray_25.t_max_0, min_element_0(max(low_16, high_6)))))
+    var _S486 : f32 = max(ray_25.t_min_0, max_element_0(min(low_16, high_6)));
+    var _S487 : f32;
+    if(_S486 <= (min(ray_25.t_max_0, min_element_0(max(low_16, high_6)))))
     {
-        _S485 = _S484;
+        _S487 = _S486;
     }
     else
     {
-        _S485 = (bitcast<f32>(infinity_bits_0));
+        _S487 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S485;
+    return _S487;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
@@ -7359,8 +7375,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S486 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S486;
+        var _S488 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S488;
     }
     var ray_26 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -7369,15 +7385,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_26.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S487 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S489 : vec3<f32> = select(reciprocal_0(select(ray_26.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S488 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S489 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S490 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S491 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S489;
+    var is_leaf_2 : bool = _S491;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S488.index_29;
+    var below_1 : u32 = _S490.index_29;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -7387,16 +7403,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S490 : bool;
+            var _S492 : bool;
             if(is_done_1)
             {
-                _S490 = depth_1 > u32(0);
+                _S492 = depth_1 > u32(0);
             }
             else
             {
-                _S490 = !is_leaf_2;
+                _S492 = !is_leaf_2;
             }
-            if(_S490)
+            if(_S492)
             {
             }
             else
@@ -7407,25 +7423,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S491 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S492 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S493 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S494 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_26.t_max_0);
-                is_leaf_1 = _S492;
+                is_leaf_1 = _S494;
                 index_32 = stack_0[depth_2];
-                below_2 = _S491.index_29;
+                below_2 = _S493.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S493 : u32 = index_31 + u32(1);
-                var _S494 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S493);
-                var _S495 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S494, ray_26, _S487);
-                var to_right_0 : f32 = entry_0(_S495, ray_26, _S487);
+                var _S495 : u32 = index_31 + u32(1);
+                var _S496 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S495);
+                var _S497 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S496, ray_26, _S489);
+                var to_right_0 : f32 = entry_0(_S497, ray_26, _S489);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S496 : f32 = max(to_left_0, to_right_0);
+                var _S498 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S496 < INFINITY_0)
+                if(_S498 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7433,51 +7449,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                     }
                     else
                     {
-                        index_32 = _S493;
+                        index_32 = _S495;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S496;
+                    entries_0[depth_1] = _S498;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S497 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S498 : u32;
-                if(is_left_7)
-                {
-                    _S498 = _S493;
-                }
-                else
-                {
-                    _S498 = below_2;
-                }
-                var _S499 : u32;
-                if(is_left_7)
-                {
-                    _S499 = _S494.index_29;
-                }
-                else
-                {
-                    _S499 = _S495.index_29;
-                }
+                var _S499 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
                 var _S500 : u32;
                 if(is_left_7)
                 {
-                    _S500 = _S494.is_leaf_0;
+                    _S500 = _S495;
                 }
                 else
                 {
-                    _S500 = _S495.is_leaf_0;
+                    _S500 = below_2;
                 }
-                var _S501 : bool = _S500 != u32(0);
-                var _S502 : u32 = index_32;
-                is_done_1 = _S497;
-                is_leaf_1 = _S501;
-                index_32 = _S498;
-                below_2 = _S499;
-                depth_1 = _S502;
+                var _S501 : u32;
+                if(is_left_7)
+                {
+                    _S501 = _S496.index_29;
+                }
+                else
+                {
+                    _S501 = _S497.index_29;
+                }
+                var _S502 : u32;
+                if(is_left_7)
+                {
+                    _S502 = _S496.is_leaf_0;
+                }
+                else
+                {
+                    _S502 = _S497.is_leaf_0;
+                }
+                var _S503 : bool = _S502 != u32(0);
+                var _S504 : u32 = index_32;
+                is_done_1 = _S499;
+                is_leaf_1 = _S503;
+                index_32 = _S500;
+                below_2 = _S501;
+                depth_1 = _S504;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7486,17 +7502,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         {
             break;
         }
-        var _S503 : Hit_0 = hit_in_0(below_2, &(ray_26));
-        var _S504 : Hit_0 = nearest_4;
-        if((_S503.t_0) < (nearest_4.t_0))
+        var _S505 : Hit_0 = hit_in_0(below_2, &(ray_26));
+        var _S506 : Hit_0 = nearest_4;
+        if((_S505.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S503.t_0) == (_S504.t_0))
+            if((_S505.t_0) == (_S506.t_0))
             {
-                is_leaf_1 = (_S503.instance_0) < (nearest_4.instance_0);
+                is_leaf_1 = (_S505.instance_0) < (nearest_4.instance_0);
             }
             else
             {
@@ -7505,12 +7521,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         if(is_leaf_1)
         {
-            ray_26.t_max_0 = _S503.t_0;
+            ray_26.t_max_0 = _S505.t_0;
             if(is_any_enough_0)
             {
-                return _S503;
+                return _S505;
             }
-            nearest_4 = _S503;
+            nearest_4 = _S505;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -7524,8 +7540,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S505 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S505;
+        var _S507 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S507;
     }
     var ray_27 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -7534,15 +7550,15 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_27.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S506 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S508 : vec3<f32> = select(reciprocal_0(select(ray_27.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S507 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S508 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S509 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S510 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S508;
+    var is_leaf_4 : bool = _S510;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S507.index_29;
+    var below_3 : u32 = _S509.index_29;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
@@ -7552,16 +7568,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S509 : bool;
+            var _S511 : bool;
             if(is_done_3)
             {
-                _S509 = depth_4 > u32(0);
+                _S511 = depth_4 > u32(0);
             }
             else
             {
-                _S509 = !is_leaf_4;
+                _S511 = !is_leaf_4;
             }
-            if(_S509)
+            if(_S511)
             {
             }
             else
@@ -7572,25 +7588,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S510 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S511 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                var _S512 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S513 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
                 is_done_3 = (entries_1[depth_5]) > (ray_27.t_max_0);
-                is_leaf_3 = _S511;
+                is_leaf_3 = _S513;
                 index_34 = stack_1[depth_5];
-                below_4 = _S510.index_29;
+                below_4 = _S512.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S512 : u32 = index_33 + u32(1);
-                var _S513 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S512);
-                var _S514 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S513, ray_27, _S506);
-                var to_right_1 : f32 = entry_0(_S514, ray_27, _S506);
+                var _S514 : u32 = index_33 + u32(1);
+                var _S515 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S514);
+                var _S516 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S515, ray_27, _S508);
+                var to_right_1 : f32 = entry_0(_S516, ray_27, _S508);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S515 : f32 = max(to_left_1, to_right_1);
+                var _S517 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S515 < INFINITY_1)
+                if(_S517 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7598,51 +7614,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_34 = _S512;
+                        index_34 = _S514;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S515;
+                    entries_1[depth_4] = _S517;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S516 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S517 : u32;
-                if(is_left_8)
-                {
-                    _S517 = _S512;
-                }
-                else
-                {
-                    _S517 = below_4;
-                }
-                var _S518 : u32;
-                if(is_left_8)
-                {
-                    _S518 = _S513.index_29;
-                }
-                else
-                {
-                    _S518 = _S514.index_29;
-                }
+                var _S518 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
                 var _S519 : u32;
                 if(is_left_8)
                 {
-                    _S519 = _S513.is_leaf_0;
+                    _S519 = _S514;
                 }
                 else
                 {
-                    _S519 = _S514.is_leaf_0;
+                    _S519 = below_4;
                 }
-                var _S520 : bool = _S519 != u32(0);
-                var _S521 : u32 = index_34;
-                is_done_3 = _S516;
-                is_leaf_3 = _S520;
-                index_34 = _S517;
-                below_4 = _S518;
-                depth_4 = _S521;
+                var _S520 : u32;
+                if(is_left_8)
+                {
+                    _S520 = _S515.index_29;
+                }
+                else
+                {
+                    _S520 = _S516.index_29;
+                }
+                var _S521 : u32;
+                if(is_left_8)
+                {
+                    _S521 = _S515.is_leaf_0;
+                }
+                else
+                {
+                    _S521 = _S516.is_leaf_0;
+                }
+                var _S522 : bool = _S521 != u32(0);
+                var _S523 : u32 = index_34;
+                is_done_3 = _S518;
+                is_leaf_3 = _S522;
+                index_34 = _S519;
+                below_4 = _S520;
+                depth_4 = _S523;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7651,17 +7667,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         {
             break;
         }
-        var _S522 : Hit_0 = hit_in_1(below_4, &(ray_27));
-        var _S523 : Hit_0 = nearest_6;
-        if((_S522.t_0) < (nearest_6.t_0))
+        var _S524 : Hit_0 = hit_in_1(below_4, &(ray_27));
+        var _S525 : Hit_0 = nearest_6;
+        if((_S524.t_0) < (nearest_6.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S522.t_0) == (_S523.t_0))
+            if((_S524.t_0) == (_S525.t_0))
             {
-                is_leaf_3 = (_S522.instance_0) < (nearest_6.instance_0);
+                is_leaf_3 = (_S524.instance_0) < (nearest_6.instance_0);
             }
             else
             {
@@ -7670,12 +7686,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_3 : u3
         }
         if(is_leaf_3)
         {
-            ray_27.t_max_0 = _S522.t_0;
+            ray_27.t_max_0 = _S524.t_0;
             if(is_any_enough_1)
             {
-                return _S522;
+                return _S524;
             }
-            nearest_6 = _S522;
+            nearest_6 = _S524;
         }
         is_done_2 = true;
         below_3 = below_4;
@@ -7691,11 +7707,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S524 : Sampler_0;
-    _S524.seed_1 = seed_3;
-    _S524.pixel_0 = pixel_1;
-    _S524.sample_0 = sample_23;
-    return _S524;
+    var _S526 : Sampler_0;
+    _S526.seed_1 = seed_3;
+    _S526.pixel_0 = pixel_1;
+    _S526.sample_0 = sample_23;
+    return _S526;
 }
 
 struct Item_0
@@ -7710,14 +7726,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_7 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S525 : Item_0;
-    _S525.traces_0 = traces_1;
-    _S525.kind_2 = kind_3;
-    _S525.at_13 = at_14;
-    _S525.place_6 = place_7;
-    _S525.slot_0 = slot_1;
-    _S525.sampler_2 = sampler_3;
-    return _S525;
+    var _S527 : Item_0;
+    _S527.traces_0 = traces_1;
+    _S527.kind_2 = kind_3;
+    _S527.at_13 = at_14;
+    _S527.place_6 = place_7;
+    _S527.slot_0 = slot_1;
+    _S527.sampler_2 = sampler_3;
+    return _S527;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7778,58 +7794,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S526 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S526;
+        var _S528 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S528;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S527 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S527);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S527 + real_time_0.number_0) & (u32(1))));
+    var _S529 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S529);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S529 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S528 : vec2<u32> = vec2<u32>(u32(5));
-    var _S529 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S528 - vec2<u32>(u32(1))) / _S528;
-    return _S529;
+    var _S530 : vec2<u32> = vec2<u32>(u32(5));
+    var _S531 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S530 - vec2<u32>(u32(1))) / _S530;
+    return _S531;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S530 : u32 = square_1 % columns_1;
-    var _S531 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S530, _S531);
-    var _S532 : vec2<u32> = vec2<u32>(u32(5));
-    var _S533 : vec2<u32> = at_16 * _S532;
-    var _S534 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S532;
-    return min(_S533 + _S534, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S532 : u32 = square_1 % columns_1;
+    var _S533 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S532, _S533);
+    var _S534 : vec2<u32> = vec2<u32>(u32(5));
+    var _S535 : vec2<u32> = at_16 * _S534;
+    var _S536 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S534;
+    return min(_S535 + _S536, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S535 : bool;
+    var _S537 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S535 = (at_17.x) < i32(params_0.width_0);
+        _S537 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S535 = false;
+        _S537 = false;
     }
-    if(_S535)
+    if(_S537)
     {
-        _S535 = (at_17.y) < i32(params_0.height_0);
+        _S537 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S535 = false;
+        _S537 = false;
     }
-    return _S535;
+    return _S537;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -7851,23 +7867,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S536 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S537 : bool = number_4 < _S536;
-        item_0.traces_0 = _S537;
-        if(_S537)
+        var _S538 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S539 : bool = number_4 < _S538;
+        item_0.traces_0 = _S539;
+        if(_S539)
         {
-            var _S538 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_6 = _S538;
+            var _S540 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_6 = _S540;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S539 : u32 = number_4 - cells_2;
-    var _S540 : vec2<u32> = pixel_that_traces_0(_S539);
-    item_0.at_13 = _S540;
-    var square_3 : u32 = _S539 - pixels_1;
+    var _S541 : u32 = number_4 - cells_2;
+    var _S542 : vec2<u32> = pixel_that_traces_0(_S541);
+    item_0.at_13 = _S542;
+    var square_3 : u32 = _S541 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -7896,82 +7912,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S541 : u32;
+    var _S543 : u32;
     if(is_again_0)
     {
-        _S541 = u32(3);
+        _S543 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S541 = u32(2);
+            _S543 = u32(2);
         }
         else
         {
-            _S541 = u32(1);
+            _S543 = u32(1);
         }
     }
-    item_0.kind_2 = _S541;
+    item_0.kind_2 = _S543;
     if(is_square_0)
     {
-        var _S542 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S542;
+        var _S544 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S544;
     }
-    var _S543 : bool;
+    var _S545 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S541 = real_time_0.again_0;
+            _S543 = real_time_0.again_0;
         }
         else
         {
-            _S541 = count_8;
+            _S543 = count_8;
         }
-        _S543 = square_4 < _S541;
+        _S545 = square_4 < _S543;
     }
     else
     {
-        _S543 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S545 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S543;
+    item_0.traces_0 = _S545;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S541 = u32(2);
+            _S543 = u32(2);
         }
         else
         {
-            _S541 = (frame_0 & (u32(1)));
+            _S543 = (frame_0 & (u32(1)));
         }
-        _S541 = place_of_square_0(_S541, square_4);
+        _S543 = place_of_square_0(_S543, square_4);
     }
     else
     {
-        _S541 = index_of_0(item_0.at_13);
+        _S543 = index_of_0(item_0.at_13);
     }
-    item_0.place_6 = _S541;
+    item_0.place_6 = _S543;
     if(is_square_0)
     {
-        _S541 = real_time_0.pixels_0 + square_4;
+        _S543 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S541 = item_0.place_6;
+        _S543 = item_0.place_6;
     }
-    item_0.slot_0 = _S541;
-    var _S544 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S543;
+    var _S546 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S541 = u32(3266489909);
+        _S543 = u32(3266489909);
     }
     else
     {
-        _S541 = u32(2654435769);
+        _S543 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S544 ^ (_S541)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S546 ^ (_S543)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -7989,16 +8005,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S545 : CameraFrame_0;
-    _S545.lens_1 = lens_2;
-    _S545.eye_2 = eye_3;
-    _S545.corner_2 = corner_3;
-    _S545.pixel_x_1 = pixel_x_2;
-    _S545.pixel_y_1 = pixel_y_2;
-    _S545.lens_x_1 = lens_x_2;
-    _S545.lens_y_1 = lens_y_2;
-    _S545.blades_1 = blades_2;
-    return _S545;
+    var _S547 : CameraFrame_0;
+    _S547.lens_1 = lens_2;
+    _S547.eye_2 = eye_3;
+    _S547.corner_2 = corner_3;
+    _S547.pixel_x_1 = pixel_x_2;
+    _S547.pixel_y_1 = pixel_y_2;
+    _S547.lens_x_1 = lens_x_2;
+    _S547.lens_y_1 = lens_y_2;
+    _S547.blades_1 = blades_2;
+    return _S547;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8013,12 +8029,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S546 : Perspective_0;
-    _S546.eye_4 = eye_5;
-    _S546.corner_4 = corner_5;
-    _S546.pixel_x_3 = pixel_x_4;
-    _S546.pixel_y_3 = pixel_y_4;
-    return _S546;
+    var _S548 : Perspective_0;
+    _S548.eye_4 = eye_5;
+    _S548.corner_4 = corner_5;
+    _S548.pixel_x_3 = pixel_x_4;
+    _S548.pixel_y_3 = pixel_y_4;
+    return _S548;
 }
 
 struct Axes_0
@@ -8030,11 +8046,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S547 : Axes_0;
-    _S547.forward_0 = forward_1;
-    _S547.right_5 = right_6;
-    _S547.up_0 = up_1;
-    return _S547;
+    var _S549 : Axes_0;
+    _S549.forward_0 = forward_1;
+    _S549.right_5 = right_6;
+    _S549.up_0 = up_1;
+    return _S549;
 }
 
 struct ThinLens_0
@@ -8047,28 +8063,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S548 : ThinLens_0;
-    _S548.perspective_0 = perspective_1;
-    _S548.lens_x_3 = lens_x_4;
-    _S548.lens_y_3 = lens_y_4;
-    _S548.blades_3 = blades_4;
-    return _S548;
+    var _S550 : ThinLens_0;
+    _S550.perspective_0 = perspective_1;
+    _S550.lens_x_3 = lens_x_4;
+    _S550.lens_y_3 = lens_y_4;
+    _S550.blades_3 = blades_4;
+    return _S550;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S549 : bool;
+    var _S551 : bool;
     if(a_6 == 0.0f)
     {
-        _S549 = b_6 == 0.0f;
+        _S551 = b_6 == 0.0f;
     }
     else
     {
-        _S549 = false;
+        _S551 = false;
     }
-    if(_S549)
+    if(_S551)
     {
         return vec2<f32>(0.0f);
     }
@@ -8095,7 +8111,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S550 : f32 = abs(radius_5);
+    var _S552 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8104,7 +8120,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S550, radius_5);
+    return vec2<f32>(_S552, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8122,9 +8138,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_14 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S551 : f32 = from_0.y;
-    var _S552 : f32 = from_0.x;
-    return vec2<f32>(_S551 + (to_0.y - _S551) * share_14, _S552 + (to_0.x - _S552) * share_14) * vec2<f32>(radius_6);
+    var _S553 : f32 = from_0.y;
+    var _S554 : f32 = from_0.x;
+    return vec2<f32>(_S553 + (to_0.y - _S553) * share_14, _S554 + (to_0.x - _S554) * share_14) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8144,12 +8160,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S553 : Orthographic_0;
-    _S553.corner_6 = corner_7;
-    _S553.pixel_x_5 = pixel_x_6;
-    _S553.pixel_y_5 = pixel_y_6;
-    _S553.forward_2 = forward_3;
-    return _S553;
+    var _S555 : Orthographic_0;
+    _S555.corner_6 = corner_7;
+    _S555.pixel_x_5 = pixel_x_6;
+    _S555.pixel_y_5 = pixel_y_6;
+    _S555.forward_2 = forward_3;
+    return _S555;
 }
 
 fn Orthographic_ray_0( this_62 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8167,12 +8183,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S554 : Panorama_0;
-    _S554.eye_6 = eye_7;
-    _S554.axes_1 = axes_2;
-    _S554.inverse_size_0 = inverse_size_1;
-    _S554.half_eye_distance_0 = half_eye_distance_1;
-    return _S554;
+    var _S556 : Panorama_0;
+    _S556.eye_6 = eye_7;
+    _S556.axes_1 = axes_2;
+    _S556.inverse_size_0 = inverse_size_1;
+    _S556.half_eye_distance_0 = half_eye_distance_1;
+    return _S556;
 }
 
 fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8199,9 +8215,9 @@ fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_63.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S555 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S556 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S556 - this_63.axes_1.right_5 * _S555) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S555 + this_63.axes_1.right_5 * _S556) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S557 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S558 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S558 - this_63.axes_1.right_5 * _S557) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S557 + this_63.axes_1.right_5 * _S558) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8214,12 +8230,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S557 : Fisheye_0;
-    _S557.eye_8 = eye_9;
-    _S557.axes_3 = axes_4;
-    _S557.middle_1 = middle_2;
-    _S557.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S557;
+    var _S559 : Fisheye_0;
+    _S559.eye_8 = eye_9;
+    _S559.axes_3 = axes_4;
+    _S559.middle_1 = middle_2;
+    _S559.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S559;
 }
 
 fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8282,14 +8298,14 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_28 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S558 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
-    return _S558;
+    var _S560 : Hit_0 = visit_0(&((*ray_28)), is_any_enough_2, u32(0));
+    return _S560;
 }
 
 fn WalkTracer_trace_1( ray_29 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S559 : Hit_0 = visit_1(&((*ray_29)), is_any_enough_3, u32(0));
-    return _S559;
+    var _S561 : Hit_0 = visit_1(&((*ray_29)), is_any_enough_3, u32(0));
+    return _S561;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8333,29 +8349,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_30 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S560 : Hit_0 = WalkTracer_trace_1(&(ray_30), false);
-        keep_hit_0(item_1.slot_0, _S560);
+        var _S562 : Hit_0 = WalkTracer_trace_1(&(ray_30), false);
+        keep_hit_0(item_1.slot_0, _S562);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S561 : Sample_0;
-    _S561.direct_0 = direct_1;
-    _S561.light_1 = light_14;
-    _S561.is_shown_0 = is_shown_1;
-    _S561.albedo_0 = albedo_1;
-    _S561.normal_1 = normal_7;
-    _S561.place_0 = place_9;
-    _S561.instance_7 = instance_15;
-    return _S561;
+    var _S563 : Sample_0;
+    _S563.direct_0 = direct_1;
+    _S563.light_1 = light_14;
+    _S563.is_shown_0 = is_shown_1;
+    _S563.albedo_0 = albedo_1;
+    _S563.normal_1 = normal_7;
+    _S563.place_0 = place_9;
+    _S563.instance_7 = instance_15;
+    return _S563;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S562 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S562, _S562, false, _S562, _S562, _S562, u32(4294967295));
+    var _S564 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S564, _S564, false, _S564, _S564, _S564, u32(4294967295));
 }
 
 fn Item_is_cell_0( this_67 : Item_0) -> bool
@@ -8365,28 +8381,28 @@ fn Item_is_cell_0( this_67 : Item_0) -> bool
 
 fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S563 : u32 = Key_level_0(this_68);
-    var bits_4 : u32 = ((u32(1) << (_S563))) - u32(1);
+    var _S565 : u32 = Key_level_0(this_68);
+    var bits_4 : u32 = ((u32(1) << (_S565))) - u32(1);
     var place_10 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_68)))))));
-    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S563)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S563))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S563)))) & (bits_4))));
+    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S565)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S565))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S565)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_8 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S564 : Path_0;
-    _S564.sampler_0 = sampler_5;
-    _S564.bounce_0 = bounce_4;
-    _S564.event_0 = event_2;
-    _S564.kinds_0 = kinds_1;
-    _S564.scattered_0 = scattered_5;
-    _S564.beta_0 = beta_1;
-    _S564.pdf_1 = pdf_14;
-    _S564.normal_0 = normal_8;
-    _S564.selection_0 = selection_5;
-    _S564.passed_t_0 = passed_t_1;
-    _S564.inside_0 = inside_8;
-    _S564.is_clipped_0 = is_clipped_1;
-    return _S564;
+    var _S566 : Path_0;
+    _S566.sampler_0 = sampler_5;
+    _S566.bounce_0 = bounce_4;
+    _S566.event_0 = event_2;
+    _S566.kinds_0 = kinds_1;
+    _S566.scattered_0 = scattered_5;
+    _S566.beta_0 = beta_1;
+    _S566.pdf_1 = pdf_14;
+    _S566.normal_0 = normal_8;
+    _S566.selection_0 = selection_5;
+    _S566.passed_t_0 = passed_t_1;
+    _S566.inside_0 = inside_8;
+    _S566.is_clipped_0 = is_clipped_1;
+    return _S566;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8396,9 +8412,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S565 : f32 = z_1.z;
+    var _S567 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S565 < 0.0f)
+    if(_S567 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -8406,12 +8422,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_0 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S565);
-    var _S566 : f32 = z_1.x;
-    var _S567 : f32 = z_1.y;
-    var b_7 : f32 = _S566 * _S567 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_0 * _S566 * _S566 * a_7, sign_0 * b_7, - sign_0 * _S566);
-    (*y_6) = vec3<f32>(b_7, sign_0 + _S567 * _S567 * a_7, - _S567);
+    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S567);
+    var _S568 : f32 = z_1.x;
+    var _S569 : f32 = z_1.y;
+    var b_7 : f32 = _S568 * _S569 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_0 * _S568 * _S568 * a_7, sign_0 * b_7, - sign_0 * _S568);
+    (*y_6) = vec3<f32>(b_7, sign_0 + _S569 * _S569 * a_7, - _S569);
     return;
 }
 
@@ -8422,9 +8438,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S568 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S568);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S568);
+    var _S570 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S570);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S570);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8434,41 +8450,41 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_10, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S569 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S569);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S569);
+    var _S571 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S571);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S571);
 }
 
 fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S570 : Surface_0;
-    _S570.origin_11 = origin_13;
-    _S570.normal_3 = normal_11;
-    _S570.face_2 = face_11;
-    _S570.instance_11 = instance_16;
-    return _S570;
+    var _S572 : Surface_0;
+    _S572.origin_11 = origin_13;
+    _S572.normal_3 = normal_11;
+    _S572.face_2 = face_11;
+    _S572.instance_11 = instance_16;
+    return _S572;
 }
 
 fn Walker_x24init_0( path_14 : Path_0,  ray_31 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool) -> Walker_0
 {
-    var _S571 : Walker_0;
-    _S571.path_0 = path_14;
-    _S571.ray_7 = ray_31;
-    _S571.is_shadow_ray_0 = is_shadow_ray_1;
-    _S571.light_0 = light_15;
-    _S571.direction_4 = direction_30;
-    _S571.path_origin_0 = path_origin_3;
-    _S571.shadow_inside_0 = shadow_inside_3;
-    _S571.boundaries_0 = boundaries_1;
-    _S571.relocates_0 = relocates_3;
-    _S571.path_relocates_0 = path_relocates_3;
-    _S571.camera_ray_0 = camera_ray_2;
-    _S571.way_3 = way_7;
-    _S571.has_shown_0 = has_shown_1;
-    _S571.asks_cache_0 = asks_cache_1;
-    _S571.life_0 = life_3;
-    _S571.is_at_cell_0 = is_at_cell_1;
-    return _S571;
+    var _S573 : Walker_0;
+    _S573.path_0 = path_14;
+    _S573.ray_7 = ray_31;
+    _S573.is_shadow_ray_0 = is_shadow_ray_1;
+    _S573.light_0 = light_15;
+    _S573.direction_4 = direction_30;
+    _S573.path_origin_0 = path_origin_3;
+    _S573.shadow_inside_0 = shadow_inside_3;
+    _S573.boundaries_0 = boundaries_1;
+    _S573.relocates_0 = relocates_3;
+    _S573.path_relocates_0 = path_relocates_3;
+    _S573.camera_ray_0 = camera_ray_2;
+    _S573.way_3 = way_7;
+    _S573.has_shown_0 = has_shown_1;
+    _S573.asks_cache_0 = asks_cache_1;
+    _S573.life_0 = life_3;
+    _S573.is_at_cell_0 = is_at_cell_1;
+    return _S573;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8476,7 +8492,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S572 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S574 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8493,13 +8509,13 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S573 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_14 : vec3<f32> = Transform_point_0(_S573.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S573.grid_from_world_0.translation_0), _S572, face_12, _S572 + on_face_2));
-    var normal_12 : vec3<f32> = world_normal_0(_S573, face_12);
+    var _S575 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S575.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S575.grid_from_world_0.translation_0), _S574, face_12, _S574 + on_face_2));
+    var normal_12 : vec3<f32> = world_normal_0(_S575, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S574 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S574));
-    path_15.pdf_1 = _S574;
+    var _S576 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S576));
+    path_15.pdf_1 = _S576;
     var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_12);
     path_15.selection_0 = Lights_selection_0(receiver_30);
     path_15.normal_0 = normal_12;
@@ -8522,29 +8538,29 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_69 : Item_0) -> bool
 {
-    var _S575 : bool;
+    var _S577 : bool;
     if(Item_is_cell_0(this_69))
     {
-        _S575 = true;
+        _S577 = true;
     }
     else
     {
         if((this_69.kind_2) == u32(1))
         {
-            _S575 = has_0(u32(1));
+            _S577 = has_0(u32(1));
         }
         else
         {
-            _S575 = false;
+            _S577 = false;
         }
     }
-    return _S575;
+    return _S577;
 }
 
 fn at_camera_0( ray_33 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S576 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S576, _S576, _S576, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
+    var _S578 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_33, false, _S578, _S578, _S578, in_air_0(), u32(0), true, true, ray_33, 0.0f, false, asks_cache_2, u32(10), false);
 }
 
 fn Item_start_0( this_70 : Item_0) -> Walker_0
@@ -8553,10 +8569,10 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_70, &(rank_8));
-        var _S577 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
-        return _S577;
+        var _S579 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
+        return _S579;
     }
-    var _S578 : CameraFrame_0 = FrameParams_camera_0();
+    var _S580 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_70.kind_2) == u32(3))
     {
@@ -8564,7 +8580,7 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S578;
+        camera_1 = _S580;
     }
     return at_camera_0(camera_ray_1(this_70.at_13, camera_1, this_70.sampler_2), this_70.sampler_2, Item_asks_cache_0(this_70));
 }
@@ -8608,25 +8624,25 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S579 : Slot_0;
-    _S579.item_2 = item_3;
-    _S579.own_3 = own_4;
-    _S579.lent_0 = lent_1;
-    return _S579;
+    var _S581 : Slot_0;
+    _S581.item_2 = item_3;
+    _S581.own_3 = own_4;
+    _S581.lent_0 = lent_1;
+    return _S581;
 }
 
 fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    var _S580 : bool;
+    var _S582 : bool;
     if(!has_0(u32(1024)))
     {
-        _S580 = true;
+        _S582 = true;
     }
     else
     {
-        _S580 = Hit_is_miss_0(hit_23);
+        _S582 = Hit_is_miss_0(hit_23);
     }
-    if(_S580)
+    if(_S582)
     {
         return false;
     }
@@ -8637,36 +8653,36 @@ fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
         {
             if((material_18.ior_0) == 1.0f)
             {
-                _S580 = true;
+                _S582 = true;
             }
             else
             {
-                _S580 = (params_0.clear_shadows_0) != u32(0);
+                _S582 = (params_0.clear_shadows_0) != u32(0);
             }
         }
         else
         {
-            _S580 = false;
+            _S582 = false;
         }
-        return _S580;
+        return _S582;
     }
     if((material_18.transmission_0) > 0.0f)
     {
-        _S580 = true;
+        _S582 = true;
     }
     else
     {
-        _S580 = (material_18.metallic_0) > 0.0f;
+        _S582 = (material_18.metallic_0) > 0.0f;
     }
-    if(_S580)
+    if(_S582)
     {
-        _S580 = true;
+        _S582 = true;
     }
     else
     {
-        _S580 = (material_18.specular_0) > 0.0f;
+        _S582 = (material_18.specular_0) > 0.0f;
     }
-    return _S580;
+    return _S582;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8678,44 +8694,52 @@ fn set_left_0( slot_8 : u32)
 fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S581 : bool;
+    var _S583 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S581 = true;
+        _S583 = true;
     }
     else
     {
-        _S581 = Inside_is_in_0(path_16.inside_0);
+        _S583 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S581)
+    if(_S583)
     {
         return false;
     }
     var material_19 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_19.metallic_0) > 0.0f)
     {
-        _S581 = true;
+        _S583 = true;
     }
     else
     {
-        _S581 = (material_19.transmission_0) > 0.0f;
+        _S583 = (material_19.transmission_0) > 0.0f;
     }
-    if(_S581)
+    if(_S583)
     {
         return false;
     }
     var code_6 : u32;
     var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_36.origin_0 + ray_36.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
-    var least_2 : f32 = 2.0f * f32((u32(1) << ((Key_level_0(key_7)))));
+    var _S584 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
+    var is_from_first_2 : bool = (path_16.bounce_0) < u32(2);
     if(life_4 == u32(0))
     {
-        _S581 = true;
+        _S583 = true;
     }
     else
     {
-        _S581 = (hit_24.t_0 * square_root_0(length_squared_0(ray_36.direction_0))) < least_2;
+        if(is_from_first_2)
+        {
+            _S583 = (hit_24.t_0 * square_root_0(length_squared_0(ray_36.direction_0))) < _S584;
+        }
+        else
+        {
+            _S583 = false;
+        }
     }
-    if(_S581)
+    if(_S583)
     {
         return false;
     }
@@ -8730,23 +8754,23 @@ fn asks_2( path_16 : Path_0,  ray_36 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_13 : vec3<f32>) -> u32
 {
-    var _S582 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
-    return (((((u32(_S582.x) & (u32(1023)))) | (((((u32(_S582.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S582.z) & (u32(1023)))) << (u32(20))))));
+    var _S585 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
+    return (((((u32(_S585.x) & (u32(1023)))) | (((((u32(_S585.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S585.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S583 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S584 : u32;
+    var _S586 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S587 : u32;
     if(sample_24.is_shown_0)
     {
-        _S584 = u32(1073741824);
+        _S587 = u32(1073741824);
     }
     else
     {
-        _S584 = u32(0);
+        _S587 = u32(0);
     }
-    var normal_14 : u32 = (_S583 | (_S584));
+    var normal_14 : u32 = (_S586 | (_S587));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -8760,16 +8784,16 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_19 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_19 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S585 : u32;
+    var _S588 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S585 = (bitcast<u32>((at_19.ray_7.t_max_0)));
+        _S588 = (bitcast<u32>((at_19.ray_7.t_max_0)));
     }
     else
     {
-        _S585 = u32(0);
+        _S588 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_71.own_3, vec2<u32>(_S585, word_10));
+    set_scratch_row_0(u32(4), this_71.own_3, vec2<u32>(_S588, word_10));
     set_scratch_row_0(u32(7), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
     set_scratch_row_0(u32(8), this_71.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
     set_scratch_row_0(u32(9), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
@@ -8778,10 +8802,10 @@ fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_19 : u32,  face_1
 
 fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_20 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S586 : Sample_0 = sample_25;
-    _S586.light_1 = vec3<f32>(0.0f);
-    _S586.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_72.own_3, _S586);
+    var _S589 : Sample_0 = sample_25;
+    _S589.light_1 = vec3<f32>(0.0f);
+    _S589.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_72.own_3, _S589);
     scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_3][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_72, at_20, instance_20, face_14);
     return;
@@ -8789,16 +8813,16 @@ fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_20 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S587 : f32;
+    var _S590 : f32;
     if(sample_26.is_shown_0)
     {
-        _S587 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S590 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S587 = 0.0f;
+        _S590 = 0.0f;
     }
-    return _S587;
+    return _S590;
 }
 
 fn Item_end_0( this_73 : Item_0,  sample_27 : Sample_0)
@@ -8845,9 +8869,9 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S588 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S588;
-        var _S589 : Hit_0 = miss_0();
+        var _S591 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S591;
+        var _S592 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
         var instance_21 : u32;
         var face_15 : u32;
@@ -8855,10 +8879,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S590 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S589;
+            var _S593 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S592;
             instance_21 = key_8.instance_9;
-            face_15 = _S590;
+            face_15 = _S593;
         }
         else
         {
@@ -8867,16 +8891,16 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
             instance_21 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S591 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S591, _S591);
+        var _S594 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S594, _S594);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S592 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S592)
+            var _S595 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S595)
             {
                 Slot_keep_first_0(slot_10, at_21, instance_21, face_15, hit_25.t_0, sample_29);
             }
@@ -8917,15 +8941,15 @@ fn Slot_instance_0( this_77 : Slot_0) -> u32
 fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S593 : vec3<f32> = origin_in_0(this_78.own_3);
-    surface_7.origin_11 = _S593;
-    var _S594 : u32 = Slot_face_0(this_78);
-    surface_7.face_2 = _S594;
-    var _S595 : u32 = Slot_instance_0(this_78);
-    surface_7.instance_11 = _S595;
-    var _S596 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S595), _S594);
-    surface_7.normal_3 = _S596;
-    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S593, _S596);
+    var _S596 : vec3<f32> = origin_in_0(this_78.own_3);
+    surface_7.origin_11 = _S596;
+    var _S597 : u32 = Slot_face_0(this_78);
+    surface_7.face_2 = _S597;
+    var _S598 : u32 = Slot_instance_0(this_78);
+    surface_7.instance_11 = _S598;
+    var _S599 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S598), _S597);
+    surface_7.normal_3 = _S599;
+    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S596, _S599);
     var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_31);
     var bsdf_2 : MaterialBsdf_0;
@@ -8956,18 +8980,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S597 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S597, _S597);
-    var _S598 : bool;
+    var _S600 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S600, _S600);
+    var _S601 : bool;
     if(item_5.traces_0)
     {
-        _S598 = !is_over_0(item_5.slot_0);
+        _S601 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S598 = false;
+        _S601 = false;
     }
-    if(_S598)
+    if(_S601)
     {
         first_candidates_0 = real_time_0.candidates_0;
         var next_9 : NextRays_0 = no_rays_0();
@@ -8984,20 +9008,20 @@ fn Slot_bounce_0( this_80 : Slot_0) -> u32
 
 fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S599 : bool;
+    var _S602 : bool;
     if(Item_is_cell_0(this_81.item_2))
     {
-        _S599 = (Slot_bounce_0(this_81)) == u32(1);
+        _S602 = (Slot_bounce_0(this_81)) == u32(1);
     }
     else
     {
-        _S599 = false;
+        _S602 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S599)
+    if(_S602)
     {
-        var _S600 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
-        direction_32 = _S600;
+        var _S603 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
+        direction_32 = _S603;
     }
     else
     {
@@ -9014,20 +9038,20 @@ fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S601 : bool;
+    var _S604 : bool;
     if(Item_is_cell_0(this_82.item_2))
     {
-        _S601 = (Slot_bounce_0(this_82)) == u32(1);
+        _S604 = (Slot_bounce_0(this_82)) == u32(1);
     }
     else
     {
-        _S601 = false;
+        _S604 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S601)
+    if(_S604)
     {
-        var _S602 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
-        direction_33 = _S602;
+        var _S605 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
+        direction_33 = _S605;
     }
     else
     {
@@ -9062,16 +9086,16 @@ fn Slot_walk_0( this_84 : Slot_0)
     var end_4 : u32 = end_word_0(this_84.own_3);
     var pdf_19 : f32;
     var ray_37 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_3)))), (bitcast<f32>((end_4))));
-    var _S603 : i32;
+    var _S606 : i32;
     if(end_4 == u32(0))
     {
-        _S603 = i32(1);
+        _S606 = i32(1);
     }
     else
     {
-        _S603 = i32(0);
+        _S606 = i32(0);
     }
-    var turn_0 : u32 = u32(_S603);
+    var turn_0 : u32 = u32(_S606);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9081,34 +9105,34 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             break;
         }
-        var _S604 : bool = turn_0 == u32(1);
-        if(_S604)
+        var _S607 : bool = turn_0 == u32(1);
+        if(_S607)
         {
             ray_37 = Slot_ray_0(this_84, &(pdf_19));
         }
-        var _S605 : bool = turn_0 == u32(0);
-        var _S606 : Hit_0 = WalkTracer_trace_0(&(ray_37), _S605);
-        var _S607 : bool;
-        if(_S605)
+        var _S608 : bool = turn_0 == u32(0);
+        var _S609 : Hit_0 = WalkTracer_trace_0(&(ray_37), _S608);
+        var _S610 : bool;
+        if(_S608)
         {
-            _S607 = leaves_0(_S606, true);
+            _S610 = leaves_0(_S609, true);
         }
         else
         {
-            _S607 = false;
+            _S610 = false;
         }
-        if(_S607)
+        if(_S610)
         {
             set_left_0(this_84.own_3);
             return;
         }
-        if(_S604)
+        if(_S607)
         {
-            keep_hit_0(this_84.own_3, _S606);
+            keep_hit_0(this_84.own_3, _S609);
         }
         else
         {
-            if(!Hit_is_miss_0(_S606))
+            if(!Hit_is_miss_0(_S609))
             {
                 Slot_darken_0(this_84);
             }
@@ -9125,20 +9149,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     ends_here_0 = false;
     first_candidates_0 = u32(1);
     var slot_14 : Slot_0;
-    var _S608 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S608;
+    var _S611 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S611;
     slot_14.own_3 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S609 : bool;
+    var _S612 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S609 = !is_over_0(slot_14.own_3);
+        _S612 = !is_over_0(slot_14.own_3);
     }
     else
     {
-        _S609 = false;
+        _S612 = false;
     }
-    if(_S609)
+    if(_S612)
     {
         Slot_walk_0(slot_14);
     }
@@ -9161,9 +9185,9 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S610 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S610);
-    sample_30.is_shown_0 = ((_S610 & (u32(1073741824)))) != u32(0);
+    var _S613 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S613);
+    sample_30.is_shown_0 = ((_S613 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9182,10 +9206,10 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_85.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_85.lent_0)))));
     }
-    var _S611 : f32 = at_22.path_0.pdf_1;
-    var _S612 : Ray_0 = Slot_ray_1(this_85, &(_S611));
-    at_22.path_0.pdf_1 = _S611;
-    at_22.ray_7 = _S612;
+    var _S614 : f32 = at_22.path_0.pdf_1;
+    var _S615 : Ray_0 = Slot_ray_1(this_85, &(_S614));
+    at_22.path_0.pdf_1 = _S614;
+    at_22.ray_7 = _S615;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_85)), Slot_face_0(this_85));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9195,7 +9219,7 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S612;
+    at_22.camera_ray_0 = _S615;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_85.item_2);
@@ -9204,7 +9228,7 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_85.item_2))
     {
         var rank_10 : u32;
-        var _S613 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
+        var _S616 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9230,10 +9254,10 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_86.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_86.lent_0)))));
     }
-    var _S614 : f32 = at_23.path_0.pdf_1;
-    var _S615 : Ray_0 = Slot_ray_1(this_86, &(_S614));
-    at_23.path_0.pdf_1 = _S614;
-    at_23.ray_7 = _S615;
+    var _S617 : f32 = at_23.path_0.pdf_1;
+    var _S618 : Ray_0 = Slot_ray_1(this_86, &(_S617));
+    at_23.path_0.pdf_1 = _S617;
+    at_23.ray_7 = _S618;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_86)), Slot_face_0(this_86));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9243,7 +9267,7 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S615;
+    at_23.camera_ray_0 = _S618;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_86.item_2);
@@ -9252,7 +9276,7 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_86.item_2))
     {
         var rank_11 : u32;
-        var _S616 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
+        var _S619 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9266,21 +9290,21 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S617 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S617;
+    var _S620 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S620;
     var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_7);
     if(leaves_0(hit_27, false))
     {
         set_left_0(slot_15.own_3);
         return false;
     }
-    var _S618 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S618;
+    var _S621 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S621;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S619 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S619;
+        var _S622 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S622;
     }
     else
     {
@@ -9307,10 +9331,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S618;
-    var _S620 : Path_0 = at_24.path_0;
-    var _S621 : NextRays_0 = PathTracingOf_advance_2(&(_S620), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S620;
+    var emitted_6 : vec3<f32> = _S621;
+    var _S623 : Path_0 = at_24.path_0;
+    var _S624 : NextRays_0 = PathTracingOf_advance_2(&(_S623), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S623;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9327,34 +9351,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S622 : bool = thread_2 < u32(2);
-    if(_S622)
+    var _S625 : bool = thread_2 < u32(2);
+    if(_S625)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S623 : i32;
+    var _S626 : i32;
     if(goes_on_8)
     {
-        _S623 = i32(0);
+        _S626 = i32(0);
     }
     else
     {
-        _S623 = i32(1);
+        _S626 = i32(1);
     }
-    var list_1 : u32 = u32(_S623);
+    var list_1 : u32 = u32(_S626);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S624 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S624;
+        var _S627 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S627;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S622)
+    if(_S625)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9368,26 +9392,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S625 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S625;
+            var _S628 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S628;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S626 : bool;
+        var _S629 : bool;
         if(thread_2 == u32(0))
         {
-            _S626 = more_0 > u32(0);
+            _S629 = more_0 > u32(0);
         }
         else
         {
-            _S626 = false;
+            _S629 = false;
         }
-        if(_S626)
+        if(_S629)
         {
-            var _S627 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S630 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9422,10 +9446,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S628 : u32 = id_4.x;
-    var _S629 : Item_0 = item_of_0(_S628);
-    var item_7 : Item_0 = _S629;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S629, item_7.slot_0, item_7.slot_0);
+    var _S631 : u32 = id_4.x;
+    var _S632 : Item_0 = item_of_0(_S631);
+    var item_7 : Item_0 = _S632;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S632, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9437,38 +9461,38 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S630 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S630;
+        var _S633 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S633;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S631 : bool;
+    var _S634 : bool;
     if(item_7.traces_0)
     {
-        _S631 = !is_left_9(item_7.slot_0);
+        _S634 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S631 = false;
+        _S634 = false;
     }
-    item_7.traces_0 = _S631;
-    append_0(thread_3, _S628, item_7, goes_on_9);
+    item_7.traces_0 = _S634;
+    append_0(thread_3, _S631, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S632 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S632;
-    var _S633 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S633;
+    var _S635 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S635;
+    var _S636 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S636;
     if(slot_18.item_2.traces_0)
     {
-        var _S634 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S634;
+        var _S637 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S637;
         slot_18.own_3 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
@@ -9508,22 +9532,22 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S635 : bool;
+    var _S638 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S635 = is_lent_1;
+        _S638 = is_lent_1;
     }
     else
     {
-        _S635 = false;
+        _S638 = false;
     }
-    if(_S635)
+    if(_S638)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S636 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S636;
+        var _S639 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S639;
         var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_7);
         if(leaves_0(hit_29, false))
         {
@@ -9531,8 +9555,8 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
         }
         else
         {
-            var _S637 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S637)
+            var _S640 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S640)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9553,16 +9577,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     first_candidates_0 = u32(1);
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S638 : bool;
+    var _S641 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S638 = is_lent_2;
+        _S641 = is_lent_2;
     }
     else
     {
-        _S638 = false;
+        _S641 = false;
     }
-    if(_S638)
+    if(_S641)
     {
         Slot_walk_0(slot_20);
     }
@@ -9573,9 +9597,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_5;
-    var _S639 : bool = !walks_0;
+    var _S642 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S639;
+    var is_met_4 : bool = _S642;
     var hit_30 : Hit_0 = first_0;
     for(;;)
     {
@@ -9588,10 +9612,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S640 : Ray_0 = at_28.ray_7;
-            var _S641 : Hit_0 = WalkTracer_trace_0(&(_S640), at_28.is_shadow_ray_0);
-            at_28.ray_7 = _S640;
-            hit_30 = _S641;
+            var _S643 : Ray_0 = at_28.ray_7;
+            var _S644 : Hit_0 = WalkTracer_trace_0(&(_S643), at_28.is_shadow_ray_0);
+            at_28.ray_7 = _S643;
+            hit_30 = _S644;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -9610,8 +9634,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S642 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S642;
+            var _S645 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S645;
         }
         is_met_4 = false;
     }
@@ -9649,8 +9673,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S643 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S643, miss_0(), true, no_sample_0());
+        var _S646 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S646, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -9661,14 +9685,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
 {
     ends_here_0 = false;
     first_candidates_0 = u32(1);
-    var _S644 : bool = thread_4 == u32(0);
-    if(_S644)
+    var _S647 : bool = thread_4 == u32(0);
+    if(_S647)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S645 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S645);
+    var _S648 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S648);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -9681,22 +9705,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S646 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S646;
+        var _S649 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S649;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S644)
+    if(_S647)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S647 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S647;
+            var _S650 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S650;
         }
         else
         {
@@ -9705,14 +9729,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S648 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S651 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S645;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S648;
     }
     return;
 }

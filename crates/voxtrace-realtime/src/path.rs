@@ -224,7 +224,7 @@ impl View<'_> {
     }
 
     /// What the cache knows of the light that the face which `ray` met sends on along the path; `life` is that of the one who asks. Faces that are no
-    /// matte ones, and those that are near beside the size of a cell, are not asked for.
+    /// matte ones are not asked for, nor are those that are near beside the size of a cell, seen from a path's first surface: there a cell is too coarse for what lies beside it.
     pub(crate) fn cached(
         &self,
         path: &Path,
@@ -245,7 +245,8 @@ impl View<'_> {
         let size = LightCache::size(self.view_angle, (place - self.eye).length());
         let u = path.sampler.independent(DIMENSION_LEVEL + path.event)[0];
         let request = Request::of(hit, size, u, life, self.scramble);
-        if hit.t * ray.direction.length() < LightCache::least_distance(&request) {
+        let is_from_first = path.scattered < 2;
+        if is_from_first && hit.t * ray.direction.length() < LightCache::least_distance(&request) {
             return None;
         }
         requests.push(request);

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use surfaces::Surfaces;
 use voxtrace_core::denoise::trust;
 
-/// Levels of the wavelet transform: the last one reaches 2 · 2⁴ pixels far.
+/// Levels of the wavelet transform: the last one reaches 2⁴ pixels far, all together 31.
 const LEVELS: u32 = 5;
 
 /// The radiance of each pixel, `width` in a row, without noise.
@@ -25,7 +25,7 @@ pub fn filter(memory: &[Memory], width: usize) -> Vec<Vec3> {
     let mut kept = vec![Vec3::ZERO; noisy.len()];
     for level in 0..LEVELS {
         let coarse = wavelet::smooth(&light, &surfaces, &tolerance, 1 << level);
-        wavelet::keep_detail(&light, &coarse, width, &mut kept);
+        wavelet::keep_detail(&light, &coarse, &surfaces, &mut kept);
         light = coarse.light;
         variance::lower_tolerances(&mut tolerance, memory);
     }

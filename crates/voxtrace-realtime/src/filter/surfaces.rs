@@ -9,12 +9,12 @@ use rayon::prelude::*;
 const NORMAL_TOLERANCE: [f32; 2] = [0.4, 1.0];
 /// Square of the distance of a place from the other's plane at which pixels are no longer alike, square voxels, and how much
 /// each unit of the variance of places adds to it.
-const PLACE_TOLERANCE: [f32; 2] = [6.0, 1.0];
+const PLACE_TOLERANCE: [f32; 2] = [12.0, 1.0];
 /// How alike pixels are at least, times the paths that they remember: after few, one that is like no other borrows from all around.
-const LEAST_ALIKE: f32 = 0.1;
+const LEAST_ALIKE: f32 = 0.2;
 
-/// The cubic B-spline, from the middle outwards.
-pub const SPLINE: [f32; 3] = [3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+/// The cubic B-spline, from the middle outwards: the kernel of means.
+const SPLINE: [f32; 3] = [3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
 
 /// What pixels show.
 pub struct Surfaces<'a> {
@@ -73,7 +73,7 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// The mean of the pixels around each that are alike, by the kernel of the wavelet transform.
+    /// The mean of the pixels around each that are alike.
     pub fn mean(&self, values: &[f32], step: i32) -> Vec<f32> {
         let mean = |of: usize| {
             let (mut sum, mut weights) = (0.0, 0.0);

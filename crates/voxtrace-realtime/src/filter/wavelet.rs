@@ -2,7 +2,9 @@
 //! Illumination Filtering", HPG 2010), and which of the details that it took away are more than noise (Chang, Yu, Vetterli, "Adaptive Wavelet
 //! Thresholding for Image Denoising and Compression", IEEE TIP 9(9), 2000).
 
-use super::surfaces::{SPLINE, Surfaces};
+use super::surfaces::Surfaces;
+use super::variance::SEVERAL_PATHS;
+use crate::memory::Memory;
 use glam::Vec3;
 use rayon::prelude::*;
 use voxtrace_core::denoise::box_mean;
@@ -10,10 +12,12 @@ use voxtrace_core::math::luminance;
 
 /// Variance below which noise is not looked for, relative to the square of the light, so that exact light divides by no zero.
 const LEAST_VARIANCE: f32 = 1e-6;
-/// How many times its noise the energy of a detail must be before any of it is kept.
-const THRESHOLD: f32 = 1.6;
+/// How many times its noise the energy of a detail must be before any of it is kept: after one path, of which nobody knows how noisy it is, and after several.
+const THRESHOLD: [f32; 2] = [4.0, 1.6];
 /// Pixels on either side over which the energy of details is averaged.
-const NEIGHBOURHOOD: usize = 2;
+const NEIGHBOURHOOD: usize = 1;
+/// The linear B-spline, from the middle outwards: the kernel of a level.
+const HAT: [f32; 2] = [1.0 / 2.0, 1.0 / 4.0];
 
 /// Light and the variance of its luminance, of each pixel.
 pub struct Light {
@@ -35,8 +39,8 @@ pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: i32) 
         // One over the square difference of light at which pixels are no longer alike.
         let scale = 1.0 / square;
         let (mut color, mut variance, mut weights) = (Vec3::ZERO, 0.0, 0.0);
-        surfaces.around(of, 2, step, |at, dx, dy| {
-            let mut weight = SPLINE[dx.unsigned_abs() as usize] * SPLINE[dy.unsigned_abs() as usize];
+        surfaces.around(of, 1, step, |at, dx, dy| {
+            let mut weight = HAT[dx.unsigned_abs() as usize] * HAT[dy.unsigned_abs() as usize];
             if at != of {
                 let difference = luminance(light.color[at]) - own;
                 let lights = (1.0 - difference * difference * scale).max(0.0);
@@ -47,7 +51,7 @@ pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: i32) 
             weights += weight;
         });
         let scale = 1.0 / weights;
-        (color * scale, (variance * scale * scale, SPLINE[0] * SPLINE[0] * scale))
+        (color * scale, (variance * scale * scale, HAT[0] * HAT[0] * scale))
     };
     let (color, rest): (Vec<_>, Vec<_>) = (0..light.color.len()).into_par_iter().map(pixel).unzip();
     let (variance, own_share) = rest.into_iter().unzip();
@@ -55,7 +59,8 @@ pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: i32) 
 }
 
 /// Adds to `kept` the part of what `coarse` lacks of `fine` that is more than noise.
-pub fn keep_detail(fine: &Light, coarse: &Coarse, width: usize, kept: &mut [Vec3]) {
+pub fn keep_detail(fine: &Light, coarse: &Coarse, surfaces: &Surfaces, kept: &mut [Vec3]) {
+    let &Surfaces { memory, width, .. } = surfaces;
     let energy = |(fine, coarse): (&Vec3, &Vec3)| {
         let detail = luminance(*fine - *coarse);
         detail * detail
@@ -67,7 +72,14 @@ pub fn keep_detail(fine: &Light, coarse: &Coarse, width: usize, kept: &mut [Vec3
     let noise: Vec<f32> = pairs.map(noise).collect();
     let (energy, noise) = (box_mean(&energy, width, NEIGHBOURHOOD), box_mean(&noise, width, NEIGHBOURHOOD));
     kept.par_iter_mut().enumerate().for_each(|(index, kept)| {
-        let share = (1.0 - THRESHOLD * noise[index] / energy[index].max(1e-30)).max(0.0);
+        let threshold = threshold(&memory[index]);
+        let share = (1.0 - threshold * noise[index] / energy[index].max(1e-30)).max(0.0);
         *kept += (fine.color[index] - coarse.light.color[index]) * share;
     });
+}
+
+/// How many times its noise the energy of a pixel's details must be.
+fn threshold(memory: &Memory) -> f32 {
+    let [one, several] = THRESHOLD;
+    if memory.paths < SEVERAL_PATHS { one } else { several }
 }

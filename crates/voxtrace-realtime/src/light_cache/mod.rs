@@ -18,8 +18,8 @@ pub(crate) const LIFE: u32 = 10;
 const PROBES: u32 = 8;
 /// Share of the picture's height that a cell is wide where it is seen.
 const WIDTH: f32 = 1.0 / 17.0;
-/// How many times its cell's width a face must be away from who asks, so that it looks like one.
-const LEAST_DISTANCE: f32 = 2.0;
+/// How many times its cell's width a face must be away from a path's first surface, so that it looks like one there.
+const LEAST_DISTANCE: f32 = 1.0;
 /// Most samples that a cell remembers: its light follows what changes as quickly as that.
 const MOST_SAMPLES: f32 = 128.0;
 

@@ -273,6 +273,7 @@ pub const TABLE: &[Source] = &[
             named("LEAST_VARIANCE", "WAVELET_LEAST_VARIANCE"),
             named("THRESHOLD", "WAVELET_THRESHOLD"),
             named("NEIGHBOURHOOD", "WAVELET_NEIGHBOURHOOD"),
+            same("HAT"),
         ],
     },
 ];
