@@ -83,3 +83,23 @@ fn threshold(memory: &Memory) -> f32 {
     let [one, several] = THRESHOLD;
     if memory.paths < SEVERAL_PATHS { one } else { several }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn details_of_twice_their_noise_are_kept_unless_one_path_alone_is_known() {
+        let kept = |paths: f32| {
+            let memory = vec![Memory { paths, coverage: 1.0, ..Memory::default() }; 9];
+            let light =
+                |color: f32, variance: f32| Light { color: vec![Vec3::splat(color); 9], variance: vec![variance; 9] };
+            let coarse = Coarse { light: light(0.0, 0.0), own_share: vec![0.0; 9] };
+            let mut kept = vec![Vec3::ZERO; 9];
+            keep_detail(&light(1.0, 0.5), &coarse, &Surfaces::new(&memory, 3), &mut kept);
+            kept[4].x
+        };
+        assert_eq!(kept(1.0), 0.0);
+        assert!((kept(2.0) - 0.2).abs() < 1e-6, "{}", kept(2.0));
+    }
+}
