@@ -531,12 +531,19 @@ def test_ctrl_c_ends_the_writing_of_a_scene_and_leaves_the_old_file(ctrl_c_ends,
     assert {file.suffix for file in tmp_path.iterdir()} <= {".obj", ".mtl"}, "nothing is left behind"
 
 
-def test_ctrl_c_ends_the_unpacking_of_a_scene(ctrl_c_ends):
+def test_ctrl_c_ends_the_unpacking_of_a_scene(ctrl_c_ends, random):
     def looks():
         # Models that were merged come apart voxel by voxel.
-        for voxels in [1_000_000, 4_000_000, 16_000_000]:
-            scene = voxtrace.Scene.from_bytes(voxtrace.builtin("city", voxels=voxels).to_bytes())
-            yield lambda: scene.instances
+        edge = 64
+        model = voxtrace.VoxelGrid.from_numpy((random.random((edge, edge, edge)) > 0.5).astype("uint8"))
+        for count in [4, 6, 8, 10, 12]:
+            scene = voxtrace.Scene()
+            for place in numpy.ndindex(count, count, count):
+                transform = numpy.eye(4)
+                transform[:3, 3] = edge * numpy.array(place)
+                scene.add(model, transform)
+            packed = voxtrace.Scene.from_bytes(scene.to_bytes())
+            yield lambda packed=packed: packed.instances
 
     ctrl_c_ends(looks())
 

@@ -8,6 +8,7 @@ use exr::prelude::{
     LineOrder, Vec2, WritableImage, f16,
 };
 use glam::Vec3;
+use rayon::prelude::*;
 use std::io::{self, Cursor, Seek, SeekFrom, Write};
 use voxtrace_core::film::{AovPixel, Film, Pixel};
 
@@ -54,7 +55,8 @@ pub fn write(
     }
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let layer = Layer::new(size, attributes, encoding, AnyChannels::sort(channels(film, denoised, *options).into()));
+    let channels = channels(film, denoised, *options, wanted)?;
+    let layer = Layer::new(size, attributes, encoding, AnyChannels::sort(channels.into()));
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(film.width as usize, film.height as usize));
 
@@ -73,7 +75,8 @@ struct Encoded<'a> {
 
 impl Write for Encoded<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if (self.wanted)() { self.bytes.write(bytes) } else { Err(io::Error::other("stopped")) }
+        still(self.wanted)?;
+        self.bytes.write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -87,48 +90,62 @@ impl Seek for Encoded<'_> {
     }
 }
 
-fn channels(film: &Film, denoised: Option<&[Vec3]>, options: ExrOptions) -> Vec<AnyChannel<FlatSamples>> {
+/// Fails once nothing more is wanted.
+fn still(wanted: &dyn Fn() -> bool) -> io::Result<()> {
+    if wanted() { Ok(()) } else { Err(io::Error::other("stopped")) }
+}
+
+fn channels(
+    film: &Film,
+    denoised: Option<&[Vec3]>,
+    options: ExrOptions,
+    wanted: &dyn Fn() -> bool,
+) -> io::Result<Vec<AnyChannel<FlatSamples>>> {
     let mut channels = Vec::new();
     let mut float = |name: &str, half: bool, values: Vec<f32>| {
+        still(wanted)?;
         let samples = if half && options.half {
             // What is brighter than the largest number of 16 bits, such as the disc of a strong sun, must not become infinite: a blur of that
             // is infinite far around.
             let most = f16::MAX.to_f32();
-            FlatSamples::F16(values.into_iter().map(|value| f16::from_f32(value.clamp(-most, most))).collect())
+            FlatSamples::F16(values.into_par_iter().map(|value| f16::from_f32(value.clamp(-most, most))).collect())
         } else {
             FlatSamples::F32(values)
         };
         channels.push(AnyChannel::new(name, samples));
+        io::Result::Ok(())
     };
     let noisy = if denoised.is_some() { ["noisy.R", "noisy.G", "noisy.B"] } else { ["R", "G", "B"] };
     for (channel, name) in noisy.into_iter().enumerate() {
-        float(name, true, film.pixels.iter().map(|pixel| pixel.mean()[channel]).collect());
+        float(name, true, film.pixels.par_iter().map(|pixel| pixel.mean()[channel]).collect())?;
     }
-    for (channel, name) in ["R", "G", "B"].into_iter().enumerate().filter(|_| denoised.is_some()) {
-        float(name, true, denoised.into_iter().flatten().map(|radiance| radiance[channel]).collect());
-    }
-    let alpha = |pixel: &Pixel| if options.alpha { pixel.alpha() } else { 1.0 };
-    float("A", true, film.pixels.iter().map(alpha).collect());
-    for (group, pixels) in &film.groups {
+    if let Some(denoised) = denoised {
         for (channel, name) in ["R", "G", "B"].into_iter().enumerate() {
-            let values = pixels.iter().map(|pixel| pixel.mean()[channel]).collect();
-            float(&format!("{}.{name}", group.name()), true, values);
+            float(name, true, denoised.par_iter().map(|radiance| radiance[channel]).collect())?;
         }
     }
-    let Some(aovs) = &film.aovs else { return channels };
-    let mut aov = |name: &str, half: bool, value: &dyn Fn(&AovPixel) -> f32| {
-        float(name, half, aovs.iter().map(value).collect());
+    let alpha = |pixel: &Pixel| if options.alpha { pixel.alpha() } else { 1.0 };
+    float("A", true, film.pixels.par_iter().map(alpha).collect())?;
+    for (group, pixels) in &film.groups {
+        for (channel, name) in ["R", "G", "B"].into_iter().enumerate() {
+            let values = pixels.par_iter().map(|pixel| pixel.mean()[channel]).collect();
+            float(&format!("{}.{name}", group.name()), true, values)?;
+        }
+    }
+    let Some(aovs) = &film.aovs else { return Ok(channels) };
+    let mut aov = |name: &str, half: bool, value: &(dyn Fn(&AovPixel) -> f32 + Sync)| {
+        float(name, half, aovs.par_iter().map(value).collect())
     };
     for axis in 0..3 {
-        aov(["albedo.R", "albedo.G", "albedo.B"][axis], true, &|pixel| pixel.albedo[axis]);
-        aov(["normal.X", "normal.Y", "normal.Z"][axis], true, &|pixel| pixel.normal[axis]);
+        aov(["albedo.R", "albedo.G", "albedo.B"][axis], true, &|pixel| pixel.albedo[axis])?;
+        aov(["normal.X", "normal.Y", "normal.Z"][axis], true, &|pixel| pixel.normal[axis])?;
         // Coordinates are below 2²⁴, so that a float holds them exactly; many compositors read no integers.
-        aov(["voxel.X", "voxel.Y", "voxel.Z"][axis], false, &|pixel| pixel.voxel[axis] as f32);
+        aov(["voxel.X", "voxel.Y", "voxel.Z"][axis], false, &|pixel| pixel.voxel[axis] as f32)?;
     }
-    aov("depth.Z", false, &|pixel| pixel.depth);
-    let instances = aovs.iter().map(|pixel| pixel.instance).collect();
+    aov("depth.Z", false, &|pixel| pixel.depth)?;
+    let instances = aovs.par_iter().map(|pixel| pixel.instance).collect();
     channels.push(AnyChannel::new("id.instance", FlatSamples::U32(instances)));
-    channels
+    Ok(channels)
 }
 
 /// Texts of an EXR are UTF-8. The encoder by itself writes Latin-1, which OpenEXR's readers refuse, and nothing beyond it.
