@@ -113,6 +113,8 @@ struct EnvironmentTexel_std430_0
 
 @binding(30) @group(0) var<storage, read> rest_0 : array<u32>;
 
+@binding(29) @group(0) var<storage, read> motions_1 : array<vec4<f32>>;
+
 @id(6) override SKY_0 : u32 = u32(0);
 
 struct Inside_0
@@ -6766,9 +6768,10 @@ struct Memory_0
      roughness_1 : f32,
      coverage_0 : f32,
      shown_0 : u32,
+     is_at_rest_0 : bool,
 };
 
-fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32,  shown_1 : u32) -> Memory_0
+fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_11 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32,  shown_1 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
     var _S456 : Memory_0;
     _S456.lit_0 = lit_1;
@@ -6780,13 +6783,14 @@ fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albe
     _S456.roughness_1 = roughness_2;
     _S456.coverage_0 = coverage_1;
     _S456.shown_0 = shown_1;
+    _S456.is_at_rest_0 = is_at_rest_1;
     return _S456;
 }
 
 fn nothing_known_0() -> Memory_0
 {
     var _S457 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S457, _S457, _S457, _S457, 0.0f, 0.0f, u32(0));
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S457, _S457, _S457, _S457, 0.0f, 0.0f, u32(0), false);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -6847,12 +6851,14 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     memory_0.direct_2 = vec3<f32>(low_half_0(_S462), high_half_0(_S462), low_half_0(_S463));
     var _S464 : u32 = seen_0.z;
     memory_0.albedo_2 = vec3<f32>(high_half_0(_S463), low_half_0(_S464), high_half_0(_S464));
-    memory_0.normal_14 = normal_in_0(surface_6.w);
+    var _S465 : u32 = surface_6.w;
+    memory_0.normal_14 = normal_in_0(_S465);
     memory_0.place_10 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S465 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S465);
-    memory_0.coverage_0 = low_half_0(_S465);
+    var _S466 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S466);
+    memory_0.coverage_0 = low_half_0(_S466);
     memory_0.shown_0 = seen_0.w;
+    memory_0.is_at_rest_0 = ((_S465 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -6861,6 +6867,7 @@ fn Memory_look_anew_0( this_64 : ptr<function, Memory_0>)
     (*this_64).looks_0 = 0.0f;
     (*this_64).coverage_0 = 0.0f;
     (*this_64).roughness_1 = 0.0f;
+    (*this_64).is_at_rest_0 = false;
     return;
 }
 
@@ -6872,9 +6879,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S466 : u32 = light_16.y;
-    var _S467 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S466), vec3<f32>(low_half_0(_S467), high_half_0(_S467), low_half_0(_S466)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S467 : u32 = light_16.y;
+    var _S468 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S467), vec3<f32>(low_half_0(_S468), high_half_0(_S468), low_half_0(_S467)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -6894,6 +6901,10 @@ fn memory_before_0( index_39 : u32) -> Memory_0
         return memory_1;
     }
     memory_1.lit_0 = load_known_0(index_39);
+    if((memory_1.lit_0.paths_0) == -1.0f)
+    {
+        return load_memory_0(index_39);
+    }
     memory_1.shown_0 = scratch_row_0(u32(9), index_39).y;
     return memory_1;
 }
@@ -6909,20 +6920,20 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S468 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S468);
-    sample_20.is_shown_0 = ((_S468 & (u32(1073741824)))) != u32(0);
+    var _S469 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S469);
+    sample_20.is_shown_0 = ((_S469 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S469 : f32 = (*this_65).looks_0 + 1.0f;
-    (*this_65).looks_0 = _S469;
-    var share_9 : f32 = 1.0f / _S469;
-    var _S470 : vec3<f32> = vec3<f32>(share_9);
-    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S470;
-    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S470;
+    var _S470 : f32 = (*this_65).looks_0 + 1.0f;
+    (*this_65).looks_0 = _S470;
+    var share_9 : f32 = 1.0f / _S470;
+    var _S471 : vec3<f32> = vec3<f32>(share_9);
+    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S471;
+    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S471;
     if(!sample_21.is_shown_0)
     {
         (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_9;
@@ -6932,9 +6943,9 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_65).coverage_0 = covered_0 * share_9;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_65).place_10;
-    var _S471 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S471);
-    (*this_65).place_10 = (*this_65).place_10 + (sample_21.place_3 - (*this_65).place_10) * _S471;
+    var _S472 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S472);
+    (*this_65).place_10 = (*this_65).place_10 + (sample_21.place_3 - (*this_65).place_10) * _S472;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_65).normal_14, sample_21.place_3 - before_0);
@@ -6945,24 +6956,46 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 
 fn Lit_add_0( this_66 : ptr<function, Lit_0>,  found_3 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S472 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
-    (*this_66).paths_0 = _S472;
+    var _S473 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
+    (*this_66).paths_0 = _S473;
     var l_1 : f32 = luminance_0(found_3);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S473 : vec3<f32> = vec3<f32>((1.0f / _S472));
-    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S473;
-    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S473;
-    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S473;
+    var _S474 : vec3<f32> = vec3<f32>((1.0f / _S473));
+    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S474;
+    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S474;
+    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S474;
     return;
 }
 
 fn Memory_add_0( this_67 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_67)), sample_22);
-    var _S474 : Lit_0 = (*this_67).lit_0;
-    Lit_add_0(&(_S474), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_67).lit_0 = _S474;
+    var _S475 : Lit_0 = (*this_67).lit_0;
+    Lit_add_0(&(_S475), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_67).lit_0 = _S475;
     return;
+}
+
+fn shows_mover_0( sample_23 : Sample_0) -> bool
+{
+    if((real_time_0.motions_0) == u32(0))
+    {
+        return false;
+    }
+    if(!sample_23.is_shown_0)
+    {
+        return (any(((sample_23.albedo_0) > vec3<f32>(0.0f))));
+    }
+    var _S476 : bool;
+    if((sample_23.instance_8) >= (real_time_0.motions_0))
+    {
+        _S476 = true;
+    }
+    else
+    {
+        _S476 = (motions_1[u32(4) * sample_23.instance_8 + u32(3)].x) != 0.0f;
+    }
+    return _S476;
 }
 
 fn shifted_0( numbers_0 : vec4<f32>,  by_0 : u32) -> vec4<f32>
@@ -6983,24 +7016,24 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S475 : bool;
+    var _S477 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S475 = true;
+        _S477 = true;
     }
     else
     {
-        _S475 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S477 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S475)
+    if(_S477)
     {
-        _S475 = true;
+        _S477 = true;
     }
     else
     {
-        _S475 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S477 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S475;
+    return _S477;
 }
 
 fn halves_1( low_15 : f32,  high_6 : f32) -> u32
@@ -7011,8 +7044,8 @@ fn halves_1( low_15 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_68 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_68, kept_1);
-    var _S476 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S476), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S476);
+    var _S478 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S478), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S478);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7027,17 +7060,26 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S477 : u32 = packed_normal_0(memory_2.normal_14);
-    var _S478 : u32;
+    var _S479 : u32 = packed_normal_0(memory_2.normal_14);
+    var _S480 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S478 = u32(1073741824);
+        _S480 = u32(1073741824);
     }
     else
     {
-        _S478 = u32(0);
+        _S480 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S477 | (_S478)));
+    var _S481 : u32 = (_S479 | (_S480));
+    if(memory_2.is_at_rest_0)
+    {
+        _S480 = u32(2147483648);
+    }
+    else
+    {
+        _S480 = u32(0);
+    }
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_10))), (_S481 | (_S480)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_0);
@@ -7055,8 +7097,26 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
     {
         var index_42 : u32 = index_of_0(at_19);
         var memory_3 : Memory_0 = memory_before_0(index_42);
-        var sample_23 : Sample_0 = load_sample_0(index_42);
-        Memory_add_0(&(memory_3), sample_23, real_time_0.most_paths_0);
+        var sample_24 : Sample_0 = load_sample_0(index_42);
+        var is_at_rest_2 : bool;
+        if(memory_3.is_at_rest_0)
+        {
+            is_at_rest_2 = true;
+        }
+        else
+        {
+            is_at_rest_2 = (memory_3.looks_0) == 0.0f;
+        }
+        Memory_add_0(&(memory_3), sample_24, real_time_0.most_paths_0);
+        if(is_at_rest_2)
+        {
+            is_at_rest_2 = !shows_mover_0(sample_24);
+        }
+        else
+        {
+            is_at_rest_2 = false;
+        }
+        memory_3.is_at_rest_0 = is_at_rest_2;
         var is_in_motion_0 : bool;
         if(has_0(u32(4)))
         {
@@ -7066,18 +7126,18 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S479 : f32;
+        var _S482 : f32;
         if(is_in_motion_0)
         {
-            _S479 = 4.0f;
+            _S482 = 4.0f;
         }
         else
         {
-            _S479 = 16.0f;
+            _S482 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S480 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S480;
+        var _S483 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S483;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7085,30 +7145,30 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             if(is_under_way_1)
             {
-                is_in_motion_0 = true;
+                is_at_rest_2 = true;
             }
             else
             {
                 if(has_0(u32(2)))
                 {
-                    var _S481 : f32 = memory_3.looks_0;
-                    var _S482 : f32;
+                    var _S484 : f32 = memory_3.looks_0;
+                    var _S485 : f32;
                     if(differs_0)
                     {
-                        _S482 = _S479;
+                        _S485 = _S482;
                     }
                     else
                     {
-                        _S482 = 4.0f;
+                        _S485 = 4.0f;
                     }
-                    is_in_motion_0 = _S481 < _S482;
+                    is_at_rest_2 = _S484 < _S485;
                 }
                 else
                 {
-                    is_in_motion_0 = false;
+                    is_at_rest_2 = false;
                 }
             }
-            if(is_in_motion_0)
+            if(is_at_rest_2)
             {
             }
             else
@@ -7119,23 +7179,32 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(looking_ray_0(at_19, looks_3), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S480;
+                seen_1 = _S483;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_4(&(look_0), &(seen_1));
             if(!is_under_way_2)
             {
-                var _S483 : bool;
                 if(differs_0)
                 {
-                    _S483 = true;
+                    is_in_motion_0 = true;
                 }
                 else
                 {
-                    _S483 = differ_0(seen_1, sample_23);
+                    is_in_motion_0 = differ_0(seen_1, sample_24);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                differs_0 = _S483;
+                var _S486 : bool;
+                if(memory_3.is_at_rest_0)
+                {
+                    _S486 = !shows_mover_0(seen_1);
+                }
+                else
+                {
+                    _S486 = false;
+                }
+                memory_3.is_at_rest_0 = _S486;
+                differs_0 = is_in_motion_0;
             }
             is_under_way_1 = is_under_way_2;
         }

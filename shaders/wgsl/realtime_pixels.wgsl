@@ -1442,6 +1442,52 @@ fn sample_at_0( at_16 : vec2<i32>) -> Sample_0
     return sample_1;
 }
 
+struct Lit_0
+{
+     paths_1 : f32,
+     light_10 : vec3<f32>,
+     shaded_1 : vec3<f32>,
+     moments_0 : vec3<f32>,
+};
+
+fn Lit_x24init_0( paths_2 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
+{
+    var _S127 : Lit_0;
+    _S127.paths_1 = paths_2;
+    _S127.light_10 = light_11;
+    _S127.shaded_1 = shaded_2;
+    _S127.moments_0 = moments_1;
+    return _S127;
+}
+
+fn not_lit_0() -> Lit_0
+{
+    var _S128 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S128, _S128, _S128);
+}
+
+fn shows_mover_0( sample_2 : Sample_0) -> bool
+{
+    if((real_time_0.motions_0) == u32(0))
+    {
+        return false;
+    }
+    if(!sample_2.is_shown_0)
+    {
+        return (any(((sample_2.albedo_0) > vec3<f32>(0.0f))));
+    }
+    var _S129 : bool;
+    if((sample_2.instance_2) >= (real_time_0.motions_0))
+    {
+        _S129 = true;
+    }
+    else
+    {
+        _S129 = (motions_1[u32(4) * sample_2.instance_2 + u32(3)].x) != 0.0f;
+    }
+    return _S129;
+}
+
 struct Wanted_0
 {
      is_shown_2 : bool,
@@ -1452,12 +1498,12 @@ struct Wanted_0
 
 fn Wanted_x24init_0( is_shown_3 : bool,  place_4 : vec3<f32>,  normal_4 : vec3<f32>,  tolerance_1 : f32) -> Wanted_0
 {
-    var _S127 : Wanted_0;
-    _S127.is_shown_2 = is_shown_3;
-    _S127.place_3 = place_4;
-    _S127.normal_3 = normal_4;
-    _S127.tolerance_0 = tolerance_1;
-    return _S127;
+    var _S130 : Wanted_0;
+    _S130.is_shown_2 = is_shown_3;
+    _S130.place_3 = place_4;
+    _S130.normal_3 = normal_4;
+    _S130.tolerance_0 = tolerance_1;
+    return _S130;
 }
 
 struct CameraFrame_0
@@ -1474,16 +1520,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S128 : CameraFrame_0;
-    _S128.lens_1 = lens_2;
-    _S128.eye_2 = eye_3;
-    _S128.corner_1 = corner_2;
-    _S128.pixel_x_1 = pixel_x_2;
-    _S128.pixel_y_1 = pixel_y_2;
-    _S128.lens_x_1 = lens_x_2;
-    _S128.lens_y_1 = lens_y_2;
-    _S128.blades_1 = blades_2;
-    return _S128;
+    var _S131 : CameraFrame_0;
+    _S131.lens_1 = lens_2;
+    _S131.eye_2 = eye_3;
+    _S131.corner_1 = corner_2;
+    _S131.pixel_x_1 = pixel_x_2;
+    _S131.pixel_y_1 = pixel_y_2;
+    _S131.lens_x_1 = lens_x_2;
+    _S131.lens_y_1 = lens_y_2;
+    _S131.blades_1 = blades_2;
+    return _S131;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -1498,12 +1544,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S129 : Perspective_0;
-    _S129.eye_4 = eye_5;
-    _S129.corner_3 = corner_4;
-    _S129.pixel_x_3 = pixel_x_4;
-    _S129.pixel_y_3 = pixel_y_4;
-    return _S129;
+    var _S132 : Perspective_0;
+    _S132.eye_4 = eye_5;
+    _S132.corner_3 = corner_4;
+    _S132.pixel_x_3 = pixel_x_4;
+    _S132.pixel_y_3 = pixel_y_4;
+    return _S132;
 }
 
 struct Axes_0
@@ -1515,11 +1561,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S130 : Axes_0;
-    _S130.forward_0 = forward_1;
-    _S130.right_0 = right_1;
-    _S130.up_0 = up_1;
-    return _S130;
+    var _S133 : Axes_0;
+    _S133.forward_0 = forward_1;
+    _S133.right_0 = right_1;
+    _S133.up_0 = up_1;
+    return _S133;
 }
 
 struct ThinLens_0
@@ -1532,28 +1578,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S131 : ThinLens_0;
-    _S131.perspective_0 = perspective_1;
-    _S131.lens_x_3 = lens_x_4;
-    _S131.lens_y_3 = lens_y_4;
-    _S131.blades_3 = blades_4;
-    return _S131;
+    var _S134 : ThinLens_0;
+    _S134.perspective_0 = perspective_1;
+    _S134.lens_x_3 = lens_x_4;
+    _S134.lens_y_3 = lens_y_4;
+    _S134.blades_3 = blades_4;
+    return _S134;
 }
 
 fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
     var a_2 : f32 = 2.0f * square_3.x - 1.0f;
     var b_3 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S132 : bool;
+    var _S135 : bool;
     if(a_2 == 0.0f)
     {
-        _S132 = b_3 == 0.0f;
+        _S135 = b_3 == 0.0f;
     }
     else
     {
-        _S132 = false;
+        _S135 = false;
     }
-    if(_S132)
+    if(_S135)
     {
         return vec2<f32>(0.0f);
     }
@@ -1580,7 +1626,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S133 : f32 = abs(radius_0);
+    var _S136 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -1589,7 +1635,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S133, radius_0);
+    return vec2<f32>(_S136, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1635,18 +1681,18 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_3 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S134 : f32 = from_0.y;
-    var _S135 : f32 = from_0.x;
-    return vec2<f32>(_S134 + (to_0.y - _S134) * share_3, _S135 + (to_0.x - _S135) * share_3) * vec2<f32>(radius_1);
+    var _S137 : f32 = from_0.y;
+    var _S138 : f32 = from_0.x;
+    return vec2<f32>(_S137 + (to_0.y - _S137) * share_3, _S138 + (to_0.x - _S138) * share_3) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S136 : i32 = i32(guess_1);
-    var root_0 : i32 = _S136 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S136 + root_0);
+    var _S139 : i32 = i32(guess_1);
+    var root_0 : i32 = _S139 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S139 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -1656,13 +1702,13 @@ fn square_root_0( value_3 : f32) -> f32
     {
         return sqrt(value_3);
     }
-    var _S137 : u32 = (bitcast<u32>((value_3)));
-    var exponent_2 : u32 = (_S137 >> (u32(23)));
+    var _S140 : u32 = (bitcast<u32>((value_3)));
+    var exponent_2 : u32 = (_S140 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_3);
     }
-    var mantissa_1 : u32 = (((((_S137 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S140 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1681,12 +1727,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S138 : Ray_0;
-    _S138.origin_0 = origin_1;
-    _S138.t_min_0 = t_min_1;
-    _S138.direction_0 = direction_1;
-    _S138.t_max_0 = t_max_1;
-    return _S138;
+    var _S141 : Ray_0;
+    _S141.origin_0 = origin_1;
+    _S141.t_min_0 = t_min_1;
+    _S141.direction_0 = direction_1;
+    _S141.t_max_0 = t_max_1;
+    return _S141;
 }
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
@@ -1711,12 +1757,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S139 : Orthographic_0;
-    _S139.corner_5 = corner_6;
-    _S139.pixel_x_5 = pixel_x_6;
-    _S139.pixel_y_5 = pixel_y_6;
-    _S139.forward_2 = forward_3;
-    return _S139;
+    var _S142 : Orthographic_0;
+    _S142.corner_5 = corner_6;
+    _S142.pixel_x_5 = pixel_x_6;
+    _S142.pixel_y_5 = pixel_y_6;
+    _S142.forward_2 = forward_3;
+    return _S142;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -1734,12 +1780,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S140 : Panorama_0;
-    _S140.eye_6 = eye_7;
-    _S140.axes_0 = axes_1;
-    _S140.inverse_size_0 = inverse_size_1;
-    _S140.half_eye_distance_0 = half_eye_distance_1;
-    return _S140;
+    var _S143 : Panorama_0;
+    _S143.eye_6 = eye_7;
+    _S143.axes_0 = axes_1;
+    _S143.inverse_size_0 = inverse_size_1;
+    _S143.half_eye_distance_0 = half_eye_distance_1;
+    return _S143;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -1766,9 +1812,9 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S141 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S142 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S142 - this_4.axes_0.right_0 * _S141) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S141 + this_4.axes_0.right_0 * _S142) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S144 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S145 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S145 - this_4.axes_0.right_0 * _S144) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S144 + this_4.axes_0.right_0 * _S145) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -1781,12 +1827,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S143 : Fisheye_0;
-    _S143.eye_8 = eye_9;
-    _S143.axes_2 = axes_3;
-    _S143.middle_0 = middle_1;
-    _S143.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S143;
+    var _S146 : Fisheye_0;
+    _S146.eye_8 = eye_9;
+    _S146.axes_2 = axes_3;
+    _S146.middle_0 = middle_1;
+    _S146.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S146;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -1841,36 +1887,12 @@ fn CameraFrame_ray_0( this_7 : CameraFrame_0,  position_5 : vec2<f32>,  lens_sam
     }
 }
 
-struct Lit_0
-{
-     paths_1 : f32,
-     light_10 : vec3<f32>,
-     shaded_1 : vec3<f32>,
-     moments_0 : vec3<f32>,
-};
-
-fn Lit_x24init_0( paths_2 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
-{
-    var _S144 : Lit_0;
-    _S144.paths_1 = paths_2;
-    _S144.light_10 = light_11;
-    _S144.shaded_1 = shaded_2;
-    _S144.moments_0 = moments_1;
-    return _S144;
-}
-
-fn not_lit_0() -> Lit_0
-{
-    var _S145 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S145, _S145, _S145);
-}
-
 fn cubic_weights_0( t_0 : f32) -> vec4<f32>
 {
     var tt_0 : f32 = t_0 * t_0;
     var ttt_0 : f32 = tt_0 * t_0;
-    var _S146 : f32 = 3.0f * ttt_0;
-    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S146 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S146 + t_0, ttt_0 - tt_0);
+    var _S147 : f32 = 3.0f * ttt_0;
+    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S147 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S147 + t_0, ttt_0 - tt_0);
 }
 
 fn shown_in_0( word_3 : u32) -> vec3<f32>
@@ -1880,17 +1902,17 @@ fn shown_in_0( word_3 : u32) -> vec3<f32>
 
 fn word_of_0( color_17 : vec3<f32>) -> u32
 {
-    var _S147 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
-    var _S148 : i32 = max(i32(((bitcast<u32>((max(max(_S147.x, _S147.y), _S147.z)))) >> (u32(23)))) - i32(126), i32(-15));
-    var parts_0 : vec3<u32> = min(vec3<u32>(_S147 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S148) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
-    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S148 + i32(15)) << (u32(27)))))), u32(134217728));
+    var _S148 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
+    var _S149 : i32 = max(i32(((bitcast<u32>((max(max(_S148.x, _S148.y), _S148.z)))) >> (u32(23)))) - i32(126), i32(-15));
+    var parts_0 : vec3<u32> = min(vec3<u32>(_S148 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S149) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
+    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S149 + i32(15)) << (u32(27)))))), u32(134217728));
 }
 
 fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>) -> u32
 {
-    var _S149 : vec3<f32> = vec3<f32>(0.0f);
+    var _S150 : vec3<f32> = vec3<f32>(0.0f);
     var place_6 : i32 = i32(0);
-    var sum_6 : vec3<f32> = _S149;
+    var sum_6 : vec3<f32> = _S150;
     for(;;)
     {
         if(place_6 < i32(16))
@@ -1900,15 +1922,15 @@ fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>)
         {
             break;
         }
-        var _S150 : i32 = (place_6 & (i32(3)));
-        var _S151 : i32 = (place_6 >> (u32(2)));
-        var _S152 : vec2<i32> = vec2<i32>(i32(1));
-        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S150, _S151) - _S152, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S152)))).w;
+        var _S151 : i32 = (place_6 & (i32(3)));
+        var _S152 : i32 = (place_6 >> (u32(2)));
+        var _S153 : vec2<i32> = vec2<i32>(i32(1));
+        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S151, _S152) - _S153, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S153)))).w;
         if(word_4 == u32(0))
         {
             return u32(0);
         }
-        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S150] * down_0[_S151]));
+        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S151] * down_0[_S152]));
         place_6 = place_6 + i32(1);
         sum_6 = sum_7;
     }
@@ -1923,29 +1945,29 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     {
         return (low_half_0(word_5)) < 0.44600000977516174f;
     }
-    var _S153 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S153);
+    var _S154 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S154);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_3));
     var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_5));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S154 : bool;
-    if(((_S153 & (u32(1073741824)))) != u32(0))
+    var _S155 : bool;
+    if(((_S154 & (u32(1073741824)))) != u32(0))
     {
-        _S154 = distance_1 <= tolerance_2;
+        _S155 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S154 = false;
+        _S155 = false;
     }
-    if(_S154)
+    if(_S155)
     {
-        _S154 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S155 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S154 = false;
+        _S155 = false;
     }
-    return _S154;
+    return _S155;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -1955,16 +1977,16 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S155 : u32;
+    var _S156 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S155 = index_19;
+        _S156 = index_19;
     }
     else
     {
-        _S155 = real_time_0.pixels_0;
+        _S156 = real_time_0.pixels_0;
     }
-    return _S155;
+    return _S156;
 }
 
 fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
@@ -1976,12 +1998,12 @@ fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S156 : u32 = words_2.x;
-    var _S157 : u32 = words_2.y;
-    var _S158 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S156), high_half_0(_S156), low_half_0(_S157)), vec3<f32>(0.0f));
-    var lit_1 : Lit_0 = _S158;
-    var _S159 : u32 = words_2.z;
-    lit_1.moments_0 = Lit_products_0(_S158, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S157), low_half_0(_S159), high_half_0(_S159)));
+    var _S157 : u32 = words_2.x;
+    var _S158 : u32 = words_2.y;
+    var _S159 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S157), high_half_0(_S157), low_half_0(_S158)), vec3<f32>(0.0f));
+    var lit_1 : Lit_0 = _S159;
+    var _S160 : u32 = words_2.z;
+    lit_1.moments_0 = Lit_products_0(_S159, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S158), low_half_0(_S160), high_half_0(_S160)));
     return lit_1;
 }
 
@@ -1995,10 +2017,10 @@ fn load_lit_0( index_20 : u32) -> Lit_0
 fn add_weighed_0( sum_8 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
 {
     (*sum_8).paths_1 = (*sum_8).paths_1 + lit_2.paths_1 * weight_5;
-    var _S160 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S160;
-    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S160;
-    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S160;
+    var _S161 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S161;
+    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S161;
+    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S161;
     return;
 }
 
@@ -2016,27 +2038,27 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
     var place_7 : i32 = i32(0);
     for(;;)
     {
-        var _S161 : bool;
+        var _S162 : bool;
         if(place_7 < i32(16))
         {
-            _S161 = is_whole_0;
+            _S162 = is_whole_0;
         }
         else
         {
-            _S161 = false;
+            _S162 = false;
         }
-        if(_S161)
+        if(_S162)
         {
         }
         else
         {
             break;
         }
-        var _S162 : i32 = (place_7 & (i32(3)));
-        var _S163 : i32 = (place_7 >> (u32(2)));
-        var step_2 : vec2<i32> = vec2<i32>(_S162, _S163);
-        var _S164 : f32 = across_1[_S162] * down_1[_S163];
-        if(_S164 == 0.0f)
+        var _S163 : i32 = (place_7 & (i32(3)));
+        var _S164 : i32 = (place_7 >> (u32(2)));
+        var step_2 : vec2<i32> = vec2<i32>(_S163, _S164);
+        var _S165 : f32 = across_1[_S163] * down_1[_S164];
+        if(_S165 == 0.0f)
         {
             place_7 = place_7 + i32(1);
             continue;
@@ -2047,7 +2069,7 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_3)), other_8, _S164);
+            add_weighed_0(&((*lit_3)), other_8, _S165);
             least_2 = min(least_1, other_8.paths_1);
         }
         else
@@ -2059,10 +2081,10 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         place_7 = place_7 + i32(1);
     }
     (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
-    var _S165 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
+    var _S166 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S165 >= 0.0f;
+        is_whole_0 = _S166 >= 0.0f;
     }
     else
     {
@@ -2085,30 +2107,30 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
         {
             break;
         }
-        var _S166 : i32 = i32((place_8 & (u32(1))));
-        var _S167 : i32 = i32((place_8 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S166, _S167));
+        var _S167 : i32 = i32((place_8 & (u32(1))));
+        var _S168 : i32 = i32((place_8 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S167, _S168));
         if(index_22 != (real_time_0.pixels_0))
         {
-            var _S168 : f32;
-            if(_S166 == i32(0))
-            {
-                _S168 = 1.0f - share_4.x;
-            }
-            else
-            {
-                _S168 = share_4.x;
-            }
             var _S169 : f32;
             if(_S167 == i32(0))
             {
-                _S169 = 1.0f - share_4.y;
+                _S169 = 1.0f - share_4.x;
             }
             else
             {
-                _S169 = share_4.y;
+                _S169 = share_4.x;
             }
-            var weight_6 : f32 = _S168 * _S169;
+            var _S170 : f32;
+            if(_S168 == i32(0))
+            {
+                _S170 = 1.0f - share_4.y;
+            }
+            else
+            {
+                _S170 = share_4.y;
+            }
+            var weight_6 : f32 = _S169 * _S170;
             add_weighed_0(&((*lit_4)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
@@ -2116,10 +2138,10 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
     (*lit_4).paths_1 = (*lit_4).paths_1 * scale_1;
-    var _S170 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_4).light_10 = (*lit_4).light_10 * _S170;
-    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S170;
-    (*lit_4).moments_0 = (*lit_4).moments_0 * _S170;
+    var _S171 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_4).light_10 = (*lit_4).light_10 * _S171;
+    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S171;
+    (*lit_4).moments_0 = (*lit_4).moments_0 * _S171;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2141,16 +2163,16 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S171 : bool;
+        var _S172 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S171 = distance_2 < (least_3 - 0.00100000004749745f);
+            _S172 = distance_2 < (least_3 - 0.00100000004749745f);
         }
         else
         {
-            _S171 = false;
+            _S172 = false;
         }
-        if(_S171)
+        if(_S172)
         {
             least_3 = distance_2;
             best_0 = index_23;
@@ -2169,25 +2191,25 @@ fn FrameParams_camera_0() -> CameraFrame_0
     return CameraFrame_x24init_0(LENS_0, params_0.eye_1, params_0.corner_0, params_0.pixel_x_0, params_0.pixel_y_0, params_0.lens_x_0, params_0.lens_y_0, params_0.blades_0);
 }
 
-fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<function, u32>) -> Lit_0
+fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<function, u32>) -> Lit_0
 {
     (*shown_0) = u32(0);
-    var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_2.is_shown_0, sample_2.place_1, sample_2.normal_1, 0.0f);
-    var _S172 : vec2<f32> = vec2<f32>(0.5f);
-    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S172, vec2<f32>(0.5f));
+    var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_3.is_shown_0, sample_3.place_1, sample_3.normal_1, 0.0f);
+    var _S173 : vec2<f32> = vec2<f32>(0.5f);
+    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S173, vec2<f32>(0.5f));
     var along_0 : f32;
-    if(sample_2.is_shown_0)
+    if(sample_3.is_shown_0)
     {
-        along_0 = dot_product_0(ray_0.direction_0, sample_2.place_1 - ray_0.origin_0) / length_squared_0(ray_0.direction_0);
+        along_0 = dot_product_0(ray_0.direction_0, sample_3.place_1 - ray_0.origin_0) / length_squared_0(ray_0.direction_0);
     }
     else
     {
         along_0 = 1.0e+07f;
     }
     var middle_2 : vec3<f32> = ray_0.origin_0 + ray_0.direction_0 * vec3<f32>(along_0);
-    var distance_3 : f32 = sqrt(length_squared_0(sample_2.place_1 - real_time_0.eye_0));
+    var distance_3 : f32 = sqrt(length_squared_0(sample_3.place_1 - real_time_0.eye_0));
     var pixel_width_0 : f32 = real_time_0.view_angle_0 / f32(params_0.height_0);
-    if(sample_2.is_shown_0)
+    if(sample_3.is_shown_0)
     {
         along_0 = pixel_width_0 * distance_3;
     }
@@ -2197,9 +2219,9 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     }
     wanted_5.tolerance_0 = 1.5f + along_0;
     var is_seen_0 : bool;
-    if(sample_2.is_shown_0)
+    if(sample_3.is_shown_0)
     {
-        is_seen_0 = (sample_2.instance_2) < (real_time_0.motions_0);
+        is_seen_0 = (sample_3.instance_2) < (real_time_0.motions_0);
     }
     else
     {
@@ -2208,43 +2230,43 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     var middle_3 : vec3<f32>;
     if(is_seen_0)
     {
-        var row_12 : u32 = u32(3) * sample_2.instance_2;
-        var place_10 : vec4<f32> = vec4<f32>(sample_2.place_1, 1.0f);
+        var row_12 : u32 = u32(4) * sample_3.instance_2;
+        var place_10 : vec4<f32> = vec4<f32>(sample_3.place_1, 1.0f);
         var between_0 : vec4<f32> = vec4<f32>(middle_2, 1.0f);
-        var normal_6 : vec4<f32> = vec4<f32>(sample_2.normal_1, 0.0f);
-        var _S173 : u32 = row_12 + u32(1);
-        var _S174 : u32 = row_12 + u32(2);
-        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_10), dot(motions_1[_S173], place_10), dot(motions_1[_S174], place_10));
-        var _S175 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S173], between_0), dot(motions_1[_S174], between_0));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S173], normal_6), dot(motions_1[_S174], normal_6));
+        var normal_6 : vec4<f32> = vec4<f32>(sample_3.normal_1, 0.0f);
+        var _S174 : u32 = row_12 + u32(1);
+        var _S175 : u32 = row_12 + u32(2);
+        wanted_5.place_3 = vec3<f32>(dot(motions_1[row_12], place_10), dot(motions_1[_S174], place_10), dot(motions_1[_S175], place_10));
+        var _S176 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S174], between_0), dot(motions_1[_S175], between_0));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S174], normal_6), dot(motions_1[_S175], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
-        middle_3 = _S175;
+        middle_3 = _S176;
     }
     else
     {
         middle_3 = middle_2;
     }
     var way_1 : vec3<f32> = middle_3 - real_time_0.before_origin_0;
-    var _S176 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var _S177 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S177 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S178 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S176 > 9.99999997475242708e-07f;
+            is_seen_0 = _S177 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S177 / vec2<f32>(max(_S176, 9.99999997475242708e-07f));
+        at_19 = _S178 / vec2<f32>(max(_S177, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S177;
+        at_19 = _S178;
     }
     if(!is_seen_0)
     {
@@ -2258,26 +2280,26 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     {
         return not_lit_0();
     }
-    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S172;
+    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S173;
     var at_20 : vec2<f32> = select(at_19, middle_of_pixel_0, (abs(at_19 - middle_of_pixel_0)) <= vec2<f32>(0.00100000004749745f));
-    var _S178 : vec2<f32> = at_20 - _S172;
-    var corner_10 : vec2<f32> = floor(_S178);
-    var share_5 : vec2<f32> = _S178 - corner_10;
+    var _S179 : vec2<f32> = at_20 - _S173;
+    var corner_10 : vec2<f32> = floor(_S179);
+    var share_5 : vec2<f32> = _S179 - corner_10;
     var across_2 : vec4<f32> = cubic_weights_0(share_5.x);
     var down_2 : vec4<f32> = cubic_weights_0(share_5.y);
     if(is_inside_0(vec2<i32>(floor(at_20))))
     {
         (*shown_0) = shown_at_0(vec2<i32>(corner_10), across_2, down_2);
     }
-    var _S179 : vec2<i32> = vec2<i32>(corner_10);
+    var _S180 : vec2<i32> = vec2<i32>(corner_10);
     var lit_5 : Lit_0;
-    var _S180 : bool = cubic_0(wanted_5, _S179, across_2, down_2, &(lit_5));
-    if(_S180)
+    var _S181 : bool = cubic_0(wanted_5, _S180, across_2, down_2, &(lit_5));
+    if(_S181)
     {
         return lit_5;
     }
-    var _S181 : bool = linear_mean_0(wanted_5, _S179, share_5, &(lit_5));
-    if(!_S181)
+    var _S182 : bool = linear_mean_0(wanted_5, _S180, share_5, &(lit_5));
+    if(!_S182)
     {
         lit_5 = nearest_0(wanted_5, at_20);
     }
@@ -2288,8 +2310,8 @@ fn lit_before_0( sample_2 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S182 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S182), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S182);
+    var _S183 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S183), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S183);
 }
 
 fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
@@ -2314,12 +2336,40 @@ fn store_known_0( index_24 : u32,  lit_7 : Lit_0,  shown_1 : u32)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S183 : vec2<i32> = vec2<i32>(at_21);
-    if(is_inside_0(_S183))
+    var _S184 : vec2<i32> = vec2<i32>(at_21);
+    if(is_inside_0(_S184))
     {
-        var shown_2 : u32;
-        var lit_8 : Lit_0 = lit_before_0(sample_at_0(_S183), at_21, &(shown_2));
-        store_known_0(index_of_0(at_21), lit_8, shown_2);
+        var index_25 : u32 = index_of_0(at_21);
+        var sample_4 : Sample_0 = sample_at_0(_S184);
+        var shown_2 : u32 = u32(0);
+        var lit_8 : Lit_0 = not_lit_0();
+        var _S185 : bool;
+        if(has_0(u32(2048)))
+        {
+            _S185 = (((memory_row_0(u32(0), index_25).w) & (u32(2147483648)))) != u32(0);
+        }
+        else
+        {
+            _S185 = false;
+        }
+        if(_S185)
+        {
+            _S185 = !shows_mover_0(sample_4);
+        }
+        else
+        {
+            _S185 = false;
+        }
+        if(_S185)
+        {
+            lit_8.paths_1 = -1.0f;
+        }
+        else
+        {
+            var _S186 : Lit_0 = lit_before_0(sample_4, at_21, &(shown_2));
+            lit_8 = _S186;
+        }
+        store_known_0(index_25, lit_8, shown_2);
     }
     return;
 }
@@ -2335,48 +2385,52 @@ struct Memory_0
      roughness_0 : f32,
      coverage_0 : f32,
      shown_3 : u32,
+     is_at_rest_0 : bool,
 };
 
-fn Memory_x24init_0( lit_10 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_12 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32,  shown_4 : u32) -> Memory_0
+fn Memory_x24init_0( lit_10 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_12 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32,  shown_4 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
-    var _S184 : Memory_0;
-    _S184.lit_9 = lit_10;
-    _S184.looks_0 = looks_1;
-    _S184.direct_2 = direct_3;
-    _S184.albedo_2 = albedo_3;
-    _S184.normal_7 = normal_8;
-    _S184.place_11 = place_12;
-    _S184.roughness_0 = roughness_1;
-    _S184.coverage_0 = coverage_1;
-    _S184.shown_3 = shown_4;
-    return _S184;
+    var _S187 : Memory_0;
+    _S187.lit_9 = lit_10;
+    _S187.looks_0 = looks_1;
+    _S187.direct_2 = direct_3;
+    _S187.albedo_2 = albedo_3;
+    _S187.normal_7 = normal_8;
+    _S187.place_11 = place_12;
+    _S187.roughness_0 = roughness_1;
+    _S187.coverage_0 = coverage_1;
+    _S187.shown_3 = shown_4;
+    _S187.is_at_rest_0 = is_at_rest_1;
+    return _S187;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S185 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S185, _S185, _S185, _S185, 0.0f, 0.0f, u32(0));
+    var _S188 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S188, _S188, _S188, _S188, 0.0f, 0.0f, u32(0), false);
 }
 
-fn load_memory_0( index_25 : u32) -> Memory_0
+fn load_memory_0( index_26 : u32) -> Memory_0
 {
-    var surface_3 : vec4<u32> = memory_row_0(u32(0), index_25);
-    var shaded_4 : vec4<u32> = memory_row_0(u32(1), index_25);
-    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_25);
+    var surface_3 : vec4<u32> = memory_row_0(u32(0), index_26);
+    var shaded_4 : vec4<u32> = memory_row_0(u32(1), index_26);
+    var seen_0 : vec4<u32> = memory_row_0(u32(3), index_26);
     var memory_0 : Memory_0;
-    memory_0.lit_9 = load_lit_0(index_25);
+    memory_0.lit_9 = load_lit_0(index_26);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S186 : u32 = seen_0.x;
-    var _S187 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S186), high_half_0(_S186), low_half_0(_S187));
-    var _S188 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S187), low_half_0(_S188), high_half_0(_S188));
-    memory_0.normal_7 = normal_in_0(surface_3.w);
+    var _S189 : u32 = seen_0.x;
+    var _S190 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S189), high_half_0(_S189), low_half_0(_S190));
+    var _S191 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S190), low_half_0(_S191), high_half_0(_S191));
+    var _S192 : u32 = surface_3.w;
+    memory_0.normal_7 = normal_in_0(_S192);
     memory_0.place_11 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S189 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S189);
-    memory_0.coverage_0 = low_half_0(_S189);
+    var _S193 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S193);
+    memory_0.coverage_0 = low_half_0(_S193);
     memory_0.shown_3 = seen_0.w;
+    memory_0.is_at_rest_0 = ((_S192 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -2385,18 +2439,19 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
     (*this_10).looks_0 = 0.0f;
     (*this_10).coverage_0 = 0.0f;
     (*this_10).roughness_0 = 0.0f;
+    (*this_10).is_at_rest_0 = false;
     return;
 }
 
-fn load_known_0( index_26 : u32) -> Lit_0
+fn load_known_0( index_27 : u32) -> Lit_0
 {
-    var light_14 : vec2<u32> = scratch_row_0(u32(7), index_26);
-    var _S190 : u32 = light_14.y;
-    var _S191 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S190), vec3<f32>(low_half_0(_S191), high_half_0(_S191), low_half_0(_S190)), vec3<u32>(scratch_row_0(u32(8), index_26), scratch_row_0(u32(9), index_26).x));
+    var light_14 : vec2<u32> = scratch_row_0(u32(7), index_27);
+    var _S194 : u32 = light_14.y;
+    var _S195 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S194), vec3<f32>(low_half_0(_S195), high_half_0(_S195), low_half_0(_S194)), vec3<u32>(scratch_row_0(u32(8), index_27), scratch_row_0(u32(9), index_27).x));
 }
 
-fn memory_before_0( index_27 : u32) -> Memory_0
+fn memory_before_0( index_28 : u32) -> Memory_0
 {
     var memory_1 : Memory_0 = nothing_known_0();
     if(!has_0(u32(4)))
@@ -2405,15 +2460,19 @@ fn memory_before_0( index_27 : u32) -> Memory_0
     }
     if(has_0(u32(16)))
     {
-        memory_1 = load_memory_0(index_27);
+        memory_1 = load_memory_0(index_28);
         if(!has_0(u32(8)))
         {
             Memory_look_anew_0(&(memory_1));
         }
         return memory_1;
     }
-    memory_1.lit_9 = load_known_0(index_27);
-    memory_1.shown_3 = scratch_row_0(u32(9), index_27).y;
+    memory_1.lit_9 = load_known_0(index_28);
+    if((memory_1.lit_9.paths_1) == -1.0f)
+    {
+        return load_memory_0(index_28);
+    }
+    memory_1.shown_3 = scratch_row_0(u32(9), index_28).y;
     return memory_1;
 }
 
@@ -2427,15 +2486,15 @@ fn in_ten_bits_0( normal_10 : vec3<f32>) -> vec3<f32>
     return normal_steps_0(normal_10) * vec3<f32>(0.00195694714784622f);
 }
 
-fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
+fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
 {
-    var _S192 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S192;
-    var share_6 : f32 = 1.0f / _S192;
-    var _S193 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_3.direct_0 - (*this_11).direct_2) * _S193;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_3.albedo_0 - (*this_11).albedo_2) * _S193;
-    if(!sample_3.is_shown_0)
+    var _S196 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S196;
+    var share_6 : f32 = 1.0f / _S196;
+    var _S197 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_5.direct_0 - (*this_11).direct_2) * _S197;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_5.albedo_0 - (*this_11).albedo_2) * _S197;
+    if(!sample_5.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
         return;
@@ -2444,12 +2503,12 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_11;
-    var _S194 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_3.normal_1 - (*this_11).normal_7) * _S194);
-    (*this_11).place_11 = (*this_11).place_11 + (sample_3.place_1 - (*this_11).place_11) * _S194;
+    var _S198 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_5.normal_1 - (*this_11).normal_7) * _S198);
+    (*this_11).place_11 = (*this_11).place_11 + (sample_5.place_1 - (*this_11).place_11) * _S198;
     if(covered_0 > 1.0f)
     {
-        var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_3.place_1 - before_2);
+        var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_5.place_1 - before_2);
         (*this_11).roughness_0 = (*this_11).roughness_0 + (along_1 * along_1 / max(length_squared_0((*this_11).normal_7), 9.99999997475242708e-07f) * (1.0f - of_covered_0) - (*this_11).roughness_0) * of_covered_0;
     }
     return;
@@ -2457,50 +2516,59 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_3 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_1 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S195 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S195;
+    var _S199 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S199;
     var l_1 : f32 = luminance_0(found_1);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S196 : vec3<f32> = vec3<f32>((1.0f / _S195));
-    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S196;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S196;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S196;
+    var _S200 : vec3<f32> = vec3<f32>((1.0f / _S199));
+    (*this_12).light_10 = (*this_12).light_10 + (found_1 - (*this_12).light_10) * _S200;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S200;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S200;
     return;
 }
 
-fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_4 : Sample_0,  most_1 : f32)
+fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_6 : Sample_0,  most_1 : f32)
 {
-    Memory_look_0(&((*this_13)), sample_4);
-    var _S197 : Lit_0 = (*this_13).lit_9;
-    Lit_add_0(&(_S197), sample_4.light_8, sample_4.albedo_0, most_1);
-    (*this_13).lit_9 = _S197;
+    Memory_look_0(&((*this_13)), sample_6);
+    var _S201 : Lit_0 = (*this_13).lit_9;
+    Lit_add_0(&(_S201), sample_6.light_8, sample_6.albedo_0, most_1);
+    (*this_13).lit_9 = _S201;
     return;
 }
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S198 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
-    return (((((u32(_S198.x) & (u32(1023)))) | (((((u32(_S198.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S198.z) & (u32(1023)))) << (u32(20))))));
+    var _S202 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
+    return (((((u32(_S202.x) & (u32(1023)))) | (((((u32(_S202.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S202.z) & (u32(1023)))) << (u32(20))))));
 }
 
-fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
+fn store_memory_0( index_29 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_9);
-    var _S199 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S200 : u32;
+    var _S203 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S204 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S200 = u32(1073741824);
+        _S204 = u32(1073741824);
     }
     else
     {
-        _S200 = u32(0);
+        _S204 = u32(0);
     }
-    memory_rows_0[index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S199 | (_S200)));
-    memory_rows_0[pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.lit_9.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
-    memory_rows_0[u32(2) * pixels_1 + index_28] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_9.light_10))), words_4.z);
-    memory_rows_0[u32(3) * pixels_1 + index_28] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_3);
+    var _S205 : u32 = (_S203 | (_S204));
+    if(memory_2.is_at_rest_0)
+    {
+        _S204 = u32(2147483648);
+    }
+    else
+    {
+        _S204 = u32(0);
+    }
+    memory_rows_0[index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_11))), (_S205 | (_S204)));
+    memory_rows_0[pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.lit_9.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
+    memory_rows_0[u32(2) * pixels_1 + index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_9.light_10))), words_4.z);
+    memory_rows_0[u32(3) * pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_3);
     return;
 }
 
@@ -2509,30 +2577,38 @@ fn store_memory_0( index_28 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_22 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S201 : vec2<i32> = vec2<i32>(at_22);
-    var _S202 : bool;
-    if(is_inside_0(_S201))
+    var _S206 : vec2<i32> = vec2<i32>(at_22);
+    var _S207 : bool;
+    if(is_inside_0(_S206))
     {
-        _S202 = !traces_0(_S201);
+        _S207 = !traces_0(_S206);
     }
     else
     {
-        _S202 = false;
+        _S207 = false;
     }
-    if(_S202)
+    if(_S207)
     {
-        var index_29 : u32 = index_of_0(at_22);
-        var memory_3 : Memory_0 = memory_before_0(index_29);
+        var index_30 : u32 = index_of_0(at_22);
+        var memory_3 : Memory_0 = memory_before_0(index_30);
         var is_lit_0 : bool = (memory_3.lit_9.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S202 = true;
+            _S207 = true;
         }
         else
         {
-            _S202 = !has_0(u32(8));
+            if(has_0(u32(8)))
+            {
+                _S207 = true;
+            }
+            else
+            {
+                _S207 = memory_3.is_at_rest_0;
+            }
+            _S207 = !_S207;
         }
-        if(_S202)
+        if(_S207)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2544,24 +2620,24 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S201 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S206 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
                     continue;
                 }
-                var sample_5 : Sample_0 = load_sample_0(index_of_0(vec2<u32>(beside_6)));
+                var sample_7 : Sample_0 = load_sample_0(index_of_0(vec2<u32>(beside_6)));
                 if(is_lit_0)
                 {
-                    Memory_look_0(&(memory_3), sample_5);
+                    Memory_look_0(&(memory_3), sample_7);
                 }
                 else
                 {
-                    Memory_add_0(&(memory_3), sample_5, real_time_0.most_paths_0);
+                    Memory_add_0(&(memory_3), sample_7, real_time_0.most_paths_0);
                 }
                 which_1 = which_1 + u32(1);
             }
-            store_memory_0(index_29, memory_3);
+            store_memory_0(index_30, memory_3);
         }
     }
     return;
@@ -2618,13 +2694,13 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
                 dx_7 = dx_7 + i32(1);
                 continue;
             }
-            var index_30 : u32 = index_of_0(vec2<u32>(other_9));
-            var weight_7 : f32 = Center_alike_0(center_1, index_30);
-            var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_30)));
-            var _S203 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S203 * light_15;
+            var index_31 : u32 = index_of_0(vec2<u32>(other_9));
+            var weight_7 : f32 = Center_alike_0(center_1, index_31);
+            var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_31)));
+            var _S208 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S208 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_11 = sum_11 + _S203;
+            sum_11 = sum_11 + _S208;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2640,14 +2716,14 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
 
 fn begin_filter_0( at_24 : vec2<i32>)
 {
-    var index_31 : u32 = index_of_0(vec2<u32>(at_24));
-    var lit_11 : Lit_0 = load_lit_0(index_31);
+    var index_32 : u32 = index_of_0(vec2<u32>(at_24));
+    var lit_11 : Lit_0 = load_lit_0(index_32);
     var color_18 : vec3<f32> = Lit_irradiance_0(lit_11);
     var own_6 : f32 = Lit_variance_0(lit_11);
     var own_7 : f32;
     if((lit_11.paths_1) < 3.5f)
     {
-        var around_0 : f32 = variance_around_0(at_24, center_of_0(index_31));
+        var around_0 : f32 = variance_around_0(at_24, center_of_0(index_32));
         if((lit_11.paths_1) < 1.5f)
         {
             own_7 = around_0;
@@ -2661,8 +2737,8 @@ fn begin_filter_0( at_24 : vec2<i32>)
     {
         own_7 = own_6;
     }
-    set_color_0(u32(0), index_31, vec4<f32>(color_18, 0.0f));
-    set_numbers_0(u32(4), index_31, vec2<f32>(own_7, luminance_0(color_18)));
+    set_color_0(u32(0), index_32, vec4<f32>(color_18, 0.0f));
+    set_numbers_0(u32(4), index_32, vec2<f32>(own_7, luminance_0(color_18)));
     return;
 }
 
@@ -2670,21 +2746,21 @@ fn begin_filter_0( at_24 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S204 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S205 : vec2<i32> = vec2<i32>(_S204);
-    if(is_inside_0(_S205))
+    var _S209 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S210 : vec2<i32> = vec2<i32>(_S209);
+    if(is_inside_0(_S210))
     {
-        begin_filter_0(_S205);
+        begin_filter_0(_S210);
     }
     return;
 }
 
 fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 {
-    var _S206 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
-    var _S207 : vec2<f32> = vec2<f32>(0.0f);
+    var _S211 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
+    var _S212 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_12 : vec2<f32> = _S207;
+    var sum_12 : vec2<f32> = _S212;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2713,10 +2789,10 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
                 dx_8 = dx_8 + i32(1);
                 continue;
             }
-            var index_32 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S206, index_32);
+            var index_33 : u32 = index_of_0(vec2<u32>(other_10));
+            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S211, index_33);
             var weights_21 : f32 = weights_20 + weight_8;
-            sum_13 = sum_13 + numbers_0(row_13, index_32) * vec2<f32>(weight_8);
+            sum_13 = sum_13 + numbers_0(row_13, index_33) * vec2<f32>(weight_8);
             weights_20 = weights_21;
             dx_8 = dx_8 + i32(1);
         }
@@ -2729,10 +2805,10 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 
 fn compare_around_0( at_26 : vec2<i32>)
 {
-    var index_33 : u32 = index_of_0(vec2<u32>(at_26));
+    var index_34 : u32 = index_of_0(vec2<u32>(at_26));
     var around_1 : vec2<f32> = mean_around_0(u32(4), at_26, i32(1));
-    var difference_5 : f32 = numbers_0(u32(4), index_33).y - around_1.y;
-    set_numbers_0(u32(5), index_33, vec2<f32>(around_1.x, difference_5 * difference_5));
+    var difference_5 : f32 = numbers_0(u32(4), index_34).y - around_1.y;
+    set_numbers_0(u32(5), index_34, vec2<f32>(around_1.x, difference_5 * difference_5));
     return;
 }
 
@@ -2740,25 +2816,25 @@ fn compare_around_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S208 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S209 : vec2<i32> = vec2<i32>(_S208);
-    if(is_inside_0(_S209))
+    var _S213 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S214 : vec2<i32> = vec2<i32>(_S213);
+    if(is_inside_0(_S214))
     {
-        compare_around_0(_S209);
+        compare_around_0(_S214);
     }
     return;
 }
 
 fn estimate_noise_0( at_27 : vec2<i32>)
 {
-    var index_34 : u32 = index_of_0(vec2<u32>(at_27));
-    var own_8 : f32 = numbers_0(u32(4), index_34).x;
-    var color_19 : vec4<f32> = color_in_0(u32(0), index_34);
+    var index_35 : u32 = index_of_0(vec2<u32>(at_27));
+    var own_8 : f32 = numbers_0(u32(4), index_35).x;
+    var color_19 : vec4<f32> = color_in_0(u32(0), index_35);
     color_19[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
-    set_color_0(u32(0), index_34, color_19);
-    var _S210 : vec2<f32> = vec2<f32>(0.0f);
+    set_color_0(u32(0), index_35, color_19);
+    var _S215 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_14 : vec2<f32> = _S210;
+    var sum_14 : vec2<f32> = _S215;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2781,7 +2857,7 @@ fn estimate_noise_0( at_27 : vec2<i32>)
         count_9 = count_10;
         dx_9 = dx_9 + i32(1);
     }
-    set_numbers_0(u32(3), index_34, sum_14 / vec2<f32>(count_9));
+    set_numbers_0(u32(3), index_35, sum_14 / vec2<f32>(count_9));
     return;
 }
 
@@ -2789,21 +2865,21 @@ fn estimate_noise_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S211 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S212 : vec2<i32> = vec2<i32>(_S211);
-    if(is_inside_0(_S212))
+    var _S216 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S217 : vec2<i32> = vec2<i32>(_S216);
+    if(is_inside_0(_S217))
     {
-        estimate_noise_0(_S212);
+        estimate_noise_0(_S217);
     }
     return;
 }
 
 fn set_tolerance_0( at_28 : vec2<i32>)
 {
-    var index_35 : u32 = index_of_0(vec2<u32>(at_28));
+    var index_36 : u32 = index_of_0(vec2<u32>(at_28));
     var mean_1 : vec2<f32> = mean_down_0(u32(3), at_28, i32(8));
     var excess_0 : f32 = mean_1.x / max(mean_1.y, 1.00000000317107685e-30f);
-    set_color_0(u32(2), index_35, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(10.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 10.0f * (1.0f + 8.0f / max(low_half_0(memory_row_0(u32(1), index_35).x), 1.0f)))));
+    set_color_0(u32(2), index_36, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(10.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 10.0f * (1.0f + 8.0f / max(low_half_0(memory_row_0(u32(1), index_36).x), 1.0f)))));
     return;
 }
 
@@ -2811,11 +2887,11 @@ fn set_tolerance_0( at_28 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S213 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S214 : vec2<i32> = vec2<i32>(_S213);
-    if(is_inside_0(_S214))
+    var _S218 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S219 : vec2<i32> = vec2<i32>(_S218);
+    if(is_inside_0(_S219))
     {
-        set_tolerance_0(_S214);
+        set_tolerance_0(_S219);
     }
     return;
 }
@@ -2824,11 +2900,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S215 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S216 : vec2<i32> = vec2<i32>(_S215);
-    if(is_inside_0(_S216))
+    var _S220 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S221 : vec2<i32> = vec2<i32>(_S220);
+    if(is_inside_0(_S221))
     {
-        smooth_light_4(_S216);
+        smooth_light_4(_S221);
     }
     return;
 }
@@ -2837,11 +2913,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S217 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S218 : vec2<i32> = vec2<i32>(_S217);
-    if(is_inside_0(_S218))
+    var _S222 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S223 : vec2<i32> = vec2<i32>(_S222);
+    if(is_inside_0(_S223))
     {
-        smooth_light_3(_S218);
+        smooth_light_3(_S223);
     }
     return;
 }
@@ -2850,11 +2926,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S219 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S220 : vec2<i32> = vec2<i32>(_S219);
-    if(is_inside_0(_S220))
+    var _S224 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S225 : vec2<i32> = vec2<i32>(_S224);
+    if(is_inside_0(_S225))
     {
-        smooth_light_2(_S220);
+        smooth_light_2(_S225);
     }
     return;
 }
@@ -2863,11 +2939,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S221 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S222 : vec2<i32> = vec2<i32>(_S221);
-    if(is_inside_0(_S222))
+    var _S226 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S227 : vec2<i32> = vec2<i32>(_S226);
+    if(is_inside_0(_S227))
     {
-        smooth_light_1(_S222);
+        smooth_light_1(_S227);
     }
     return;
 }
@@ -2876,11 +2952,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S223 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S224 : vec2<i32> = vec2<i32>(_S223);
-    if(is_inside_0(_S224))
+    var _S228 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S229 : vec2<i32> = vec2<i32>(_S228);
+    if(is_inside_0(_S229))
     {
-        smooth_light_0(_S224);
+        smooth_light_0(_S229);
     }
     return;
 }
@@ -2889,11 +2965,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S225 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S226 : vec2<i32> = vec2<i32>(_S225);
-    if(is_inside_0(_S226))
+    var _S230 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S231 : vec2<i32> = vec2<i32>(_S230);
+    if(is_inside_0(_S231))
     {
-        end_levels_0(_S226);
+        end_levels_0(_S231);
     }
     return;
 }
@@ -2902,11 +2978,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S227 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S228 : vec2<i32> = vec2<i32>(_S227);
-    if(is_inside_0(_S228))
+    var _S232 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S233 : vec2<i32> = vec2<i32>(_S232);
+    if(is_inside_0(_S233))
     {
-        compare_across_0(_S228);
+        compare_across_0(_S233);
     }
     return;
 }
@@ -2926,45 +3002,68 @@ fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
 @workgroup_size(64, 1, 1)
 fn filter_picture(@builtin(global_invocation_id) id_17 : vec3<u32>)
 {
-    var _S229 : vec2<u32> = pixel_of_thread_0(id_17.x);
-    var _S230 : vec2<i32> = vec2<i32>(_S229);
-    if(is_inside_0(_S230))
+    var _S234 : vec2<u32> = pixel_of_thread_0(id_17.x);
+    var _S235 : vec2<i32> = vec2<i32>(_S234);
+    if(is_inside_0(_S235))
     {
-        var index_36 : u32 = index_of_0(vec2<u32>(_S230));
-        var memory_5 : Memory_0 = load_memory_0(index_36);
-        set_color_0(u32(2), index_36, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S230, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
+        var index_37 : u32 = index_of_0(vec2<u32>(_S235));
+        var memory_5 : Memory_0 = load_memory_0(index_37);
+        set_color_0(u32(2), index_37, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S235, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
     }
     return;
 }
 
-fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
+fn is_kept_0( index_38 : u32) -> bool
 {
-    var _S231 : f32 = color_20.x;
-    var _S232 : f32 = 0.5f * color_20.y;
-    var _S233 : f32 = color_20.z;
-    return vec3<f32>(0.25f * _S231 + _S232 + 0.25f * _S233, 0.5f * (_S231 - _S233), _S232 - 0.25f * (_S231 + _S233));
-}
-
-fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
-{
-    var now_1 : vec3<f32> = color_in_0(u32(2), index_of_0(vec2<u32>(at_29))).xyz;
-    var _S234 : bool;
-    if(word_6 == u32(0))
+    if((((memory_row_0(u32(0), index_38).w) & (u32(2147483648)))) == u32(0))
     {
-        _S234 = true;
+        return false;
+    }
+    var _S236 : bool;
+    if(has_0(u32(2048)))
+    {
+        _S236 = (high_half_0(memory_row_0(u32(1), index_38).x)) > 4.0f;
     }
     else
     {
-        _S234 = (real_time_0.share_0) >= 1.0f;
+        _S236 = false;
     }
-    if(_S234)
+    return _S236;
+}
+
+fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
+{
+    var _S237 : f32 = color_20.x;
+    var _S238 : f32 = 0.5f * color_20.y;
+    var _S239 : f32 = color_20.z;
+    return vec3<f32>(0.25f * _S237 + _S238 + 0.25f * _S239, 0.5f * (_S237 - _S239), _S238 - 0.25f * (_S237 + _S239));
+}
+
+fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32,  is_kept_1 : bool) -> vec3<f32>
+{
+    var now_1 : vec3<f32> = color_in_0(u32(2), index_of_0(vec2<u32>(at_29))).xyz;
+    var _S240 : bool;
+    if(word_6 == u32(0))
+    {
+        _S240 = true;
+    }
+    else
+    {
+        _S240 = (real_time_0.share_0) >= 1.0f;
+    }
+    if(_S240)
     {
         return now_1;
     }
-    var _S235 : vec3<f32> = vec3<f32>(0.0f);
+    var history_0 : vec3<f32> = shown_in_0(word_6);
+    if(is_kept_1)
+    {
+        return history_0 + (now_1 - history_0) * vec3<f32>(0.5f);
+    }
+    var _S241 : vec3<f32> = vec3<f32>(0.0f);
     var place_13 : i32 = i32(0);
-    var sum_15 : vec3<f32> = _S235;
-    var squares_5 : vec3<f32> = _S235;
+    var sum_15 : vec3<f32> = _S241;
+    var squares_5 : vec3<f32> = _S241;
     var count_11 : f32 = 0.0f;
     for(;;)
     {
@@ -2990,13 +3089,13 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
         place_13 = place_13 + i32(1);
     }
     var mean_2 : vec3<f32> = sum_15 / vec3<f32>(count_11);
-    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S235));
-    var shown_7 : vec3<f32> = clamp(ycocg_0(shown_in_0(word_6)), mean_2 - reach_2, mean_2 + reach_2);
+    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S241));
+    var shown_7 : vec3<f32> = clamp(ycocg_0(history_0), mean_2 - reach_2, mean_2 + reach_2);
     var shown_8 : vec3<f32> = shown_7 + (ycocg_0(now_1) - shown_7) * vec3<f32>(real_time_0.share_0);
-    var _S236 : f32 = shown_8.x;
-    var _S237 : f32 = shown_8.y;
-    var _S238 : f32 = shown_8.z;
-    return max(vec3<f32>(_S236 + _S237 - _S238, _S236 + _S238, _S236 - _S237 - _S238), _S235);
+    var _S242 : f32 = shown_8.x;
+    var _S243 : f32 = shown_8.y;
+    var _S244 : f32 = shown_8.z;
+    return max(vec3<f32>(_S242 + _S243 - _S244, _S242 + _S244, _S242 - _S243 - _S244), _S241);
 }
 
 fn half_of_0( value_4 : f32) -> u32
@@ -3027,32 +3126,32 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S239 : u32 = id_18.x;
-    var _S240 : vec2<u32> = pixel_of_thread_0(_S239);
-    var _S241 : vec2<i32> = vec2<i32>(_S240);
-    if(is_inside_0(_S241))
+    var _S245 : u32 = id_18.x;
+    var _S246 : vec2<u32> = pixel_of_thread_0(_S245);
+    var _S247 : vec2<i32> = vec2<i32>(_S246);
+    if(is_inside_0(_S247))
     {
-        var index_37 : u32 = index_of_0(vec2<u32>(_S241));
+        var index_39 : u32 = index_of_0(vec2<u32>(_S247));
         var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            radiance_0 = antialiased_0(_S241, memory_row_0(u32(3), index_37).w);
+            radiance_0 = antialiased_0(_S247, memory_row_0(u32(3), index_39).w, is_kept_0(index_39));
         }
         else
         {
-            var memory_6 : Memory_0 = load_memory_0(index_37);
+            var memory_6 : Memory_0 = load_memory_0(index_39);
             radiance_0 = radiance_of_0(memory_6, Lit_irradiance_0(memory_6.lit_9));
         }
-        memory_rows_0[u32(3) * real_time_0.pixels_0 + index_37][i32(3)] = word_of_0(radiance_0);
-        picture_0[index_37] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((memory_row_0(u32(1), index_37).y) << (u32(16)))))));
+        memory_rows_0[u32(3) * real_time_0.pixels_0 + index_39][i32(3)] = word_of_0(radiance_0);
+        picture_0[index_39] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((memory_row_0(u32(1), index_39).y) << (u32(16)))))));
     }
     if(thread_1 == u32(0))
     {
-        if(_S239 == u32(0))
+        if(_S245 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S242 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S248 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

@@ -8,6 +8,8 @@ use rayon::prelude::*;
 
 /// Share of the newest picture while something moves, and in the first frame after that: what is seen does not jump where it comes to rest.
 const SHARES: [f32; 2] = [1.0 / 3.0, 0.5];
+/// The same of pixels in which nothing moved: they show what they did, and its light follows the sooner.
+const KEPT_SHARE: f32 = 0.5;
 /// How many standard deviations from the mean of the colours around, on either side, what was shown may be.
 const SHOWN_REACH: f32 = 1.5;
 /// Largest channel that a word holds.
@@ -36,12 +38,17 @@ impl Rest {
     }
 }
 
-/// The picture, `width` pixels in a row, averaged with what each pixel remembers of what was shown; `share` is that of the new one.
-pub(crate) fn antialiased(memory: &[Memory], picture: &[Vec3], width: usize, share: f32) -> Vec<Vec3> {
+/// The picture, `width` pixels in a row, averaged with what each pixel remembers of what was shown; `share` is that of the new one. Where pixels that show nothing that moved
+/// `keep` what they know, their history is whole: nothing can trail there but light.
+pub(crate) fn antialiased(memory: &[Memory], picture: &[Vec3], width: usize, share: f32, keep: bool) -> Vec<Vec3> {
     let colors: Vec<Vec3> = picture.par_iter().map(|color| ycocg(*color)).collect();
     let pixel = |index: usize| {
         if memory[index].shown == 0 {
             return picture[index];
+        }
+        if keep && memory[index].is_kept() {
+            let shown = shown_in(memory[index].shown);
+            return shown + (picture[index] - shown) * KEPT_SHARE;
         }
         let (x, y) = (index % width, index / width);
         let (mut sum, mut squares, mut count) = (Vec3::ZERO, Vec3::ZERO, 0.0);
@@ -112,12 +119,20 @@ mod tests {
         let picture: Vec<Vec3> = (0..25).map(|index| Vec3::splat((index % 2) as f32)).collect();
         let of = |shown: u32| {
             let memory = vec![Memory { shown, ..Memory::default() }; 25];
-            antialiased(&memory, &picture, 5, SHARES[0])[12].x
+            antialiased(&memory, &picture, 5, SHARES[0], false)[12].x
         };
         assert!((of(word_of(Vec3::splat(0.5))) - 1.0 / 3.0).abs() < 2e-3);
         let bright = of(word_of(Vec3::splat(50.0)));
         assert!((0.5..1.0).contains(&bright), "a ghost: {bright}");
         assert_eq!(of(0), 0.0);
+        // Where nothing moved all of it counts.
+        let kept = |is_at_rest: bool, looks: f32| {
+            let shown = word_of(Vec3::splat(50.0));
+            let memory = vec![Memory { shown, is_at_rest, looks, ..Memory::default() }; 25];
+            antialiased(&memory, &picture, 5, SHARES[0], true)[12].x
+        };
+        assert_eq!(kept(true, 5.0), 25.0);
+        assert_eq!([kept(false, 5.0), kept(true, 4.0)], [bright; 2], "this frame alone has looked");
     }
 
     #[test]

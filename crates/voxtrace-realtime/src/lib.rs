@@ -29,6 +29,7 @@ mod filter;
 mod half_rate;
 mod light_cache;
 mod memory;
+mod movers;
 mod on_devices;
 mod path;
 mod real_time;

@@ -1,6 +1,7 @@
 //! What is known of each pixel: means over the paths and rays of the frames that it remembers.
 
 use crate::path::Sample;
+use crate::real_time::LEAST_LOOKS;
 use glam::Vec3;
 use voxtrace_core::math::luminance;
 
@@ -44,6 +45,8 @@ pub struct Memory {
     pub instance: u32,
     /// What the frame before showed there, a colour of nine bits a channel and their exponent; 0 where nothing.
     pub shown: u32,
+    /// Whether none of the rays that it remembers met an instance that had moved.
+    pub is_at_rest: bool,
 }
 
 impl Memory {
@@ -109,7 +112,7 @@ impl Memory {
 
     /// Forgets what was seen, but not the light that falls there: where the view moves, what is seen is looked at anew, so that nothing blurs it.
     pub fn look_anew(self) -> Self {
-        Self { looks: 0.0, coverage: 0.0, roughness: 0.0, ..self }
+        Self { looks: 0.0, coverage: 0.0, roughness: 0.0, is_at_rest: false, ..self }
     }
 
     /// The light that is known, without what was seen.
@@ -122,6 +125,11 @@ impl Memory {
     pub fn bounded(self) -> Self {
         let (l, a) = (luminance(self.light), luminance(self.shaded));
         Self { moments: self.moments.min(Vec3::new(l * l, l * a, a * a) * MOST_BEYOND), ..self }
+    }
+
+    /// Whether frames before this one have seen what it remembers, and nothing in it has moved since.
+    pub(crate) fn is_kept(&self) -> bool {
+        self.is_at_rest && self.looks > LEAST_LOOKS
     }
 
     /// Forgets all but `paths` paths.

@@ -5,6 +5,7 @@ use crate::antialiasing::Rest;
 use crate::confidence::STRIDE;
 use crate::half_rate::Rate;
 use crate::light_cache::LightCache;
+use crate::movers::{Movers, Stood, moved};
 use crate::real_time::{CANDIDATES, LEAST_LOOKS, MOST_LOOKS, MOST_PATHS, Parts, SAMPLES_WHILE_MOVING, view_angle};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat3, Vec3};
@@ -48,7 +49,7 @@ pub struct RealTimeParams {
     pub cell_samples: f32,
     /// Its place, world space.
     pub before_place: Vec3,
-    /// Number of motions of instances.
+    /// Number of motions of instances; 0 where none has moved since the camera stands.
     pub motions: u32,
     /// Where the frame before saw a place p, world space: the products of these three with p − `before_origin`, the first two over the third
     /// where it is perspective.
@@ -99,6 +100,8 @@ pub mod flag {
     pub const FINDS_AGAIN: u32 = 512;
     /// Paths in waves leave them where they meet other than matte things.
     pub const LEAVES: u32 = 1024;
+    /// Pixels that show nothing that has moved keep what they know.
+    pub const KEEPS: u32 = 2048;
 }
 
 /// What a host keeps from frame to frame.
@@ -113,7 +116,11 @@ pub struct FramesOnDevice {
     /// Samples that cells remember at most, since something changed.
     cell_samples: f32,
     /// Where instances were at the last frame, where they are elsewhere now.
-    transforms: Option<Vec<Transform>>,
+    stood: Option<Vec<Stood>>,
+    /// Whether something else changed since the last frame.
+    is_edited: bool,
+    /// Those that have moved since the camera stands.
+    movers: Movers,
     /// Since something moved.
     rest: Rest,
 }
@@ -127,24 +134,24 @@ impl FramesOnDevice {
             before: None,
             has_changed: false,
             cell_samples: f32::INFINITY,
-            transforms: None,
+            stood: None,
+            is_edited: false,
+            movers: Movers::default(),
             rest: Rest::LONG,
         }
     }
 
     /// Voxels, materials or lights of the scene are others now.
     pub fn change(&mut self) {
-        self.has_changed = true;
+        (self.has_changed, self.is_edited) = (true, true);
         self.cell_samples = 0.0;
     }
 
     /// Instances stand elsewhere now; `before` is where they stood.
-    pub fn move_instances(&mut self, before: impl Iterator<Item = Transform>) {
+    pub fn move_instances(&mut self, before: &[PackedInstance]) {
         self.has_changed = true;
         self.cell_samples = self.cell_samples.min(SAMPLES_WHILE_MOVING);
-        if self.transforms.is_none() {
-            self.transforms = Some(before.collect());
-        }
+        self.stood.get_or_insert_with(|| before.iter().map(Stood::of).collect());
     }
 
     /// Nothing is known any more. Cells of the light cache are the host's to clear.
@@ -168,17 +175,13 @@ impl FramesOnDevice {
         &self,
         scene: &PackedScene,
         frame: &Frame,
-        params: &FrameParams,
         rate: Rate,
         (in_waves, has_squares): (bool, bool),
     ) -> RealTimeParams {
         let parts = self.parts;
-        let before = self.before.as_ref().filter(|before| {
-            // A camera of another kind is not found again: pipelines are made for one.
-            let lens = FrameParams::default().with_camera(&before.camera.frame(1, 1)).lens;
-            parts.memory && before.seed == frame.seed && lens == params.lens
-        });
+        let before = self.before_of(frame);
         let is_same_view = before.is_some_and(|before| before.camera == frame.camera);
+        let movers = self.movers_of(scene, frame);
         let is_still = is_same_view && !self.has_changed;
         let mut flags = 0;
         let mut flag = |is_set: bool, flag: u32| flags |= if is_set { flag } else { 0 };
@@ -187,9 +190,10 @@ impl FramesOnDevice {
         flag(parts.candidates, flag::LOOKS);
         flag(before.is_some(), flag::KNOWS);
         flag(is_still, flag::STILL);
-        flag(is_same_view && self.transforms.is_none(), flag::SAME_VIEW);
+        flag(is_same_view && self.stood.is_none(), flag::SAME_VIEW);
         flag(rate == Rate::Half, flag::HALF);
         flag(before.is_some() && self.has_changed && has_squares, flag::FINDS_AGAIN);
+        flag(movers.keep(), flag::KEEPS);
         let camera = before.map_or(&frame.camera, |before| &before.camera);
         let then = camera.frame(frame.width, frame.height);
         let (place_flags, before_origin, rows) = places_of(&then);
@@ -212,7 +216,7 @@ impl FramesOnDevice {
             before_lens_y: of_before.lens_y,
             cell_samples: self.cell_samples,
             before_place: camera.eye,
-            motions: self.transforms.as_ref().map_or(0, |before| before.len().min(scene.instances().len())) as u32,
+            motions: movers.moved().len().min(scene.instances().len()) as u32,
             before_rows: rows.map(|row| row.extend(0.0).to_array()),
             before_origin,
             pixels: frame.width * frame.height,
@@ -227,30 +231,49 @@ impl FramesOnDevice {
         }
     }
 
-    /// The world at the last frame from the world now, for each instance: three rows.
-    pub fn motions(&self, scene: &PackedScene) -> Vec<[f32; 4]> {
-        let Some(before) = &self.transforms else { return Vec::new() };
-        let rows = |(before, now): (&Transform, &PackedInstance)| {
-            let has_moved = *before != now.world_from_grid;
-            let then = if has_moved { before.after(&now.grid_from_world) } else { Transform::IDENTITY };
-            [0, 1, 2].map(|axis| then.linear.row(axis).extend(then.translation[axis]).to_array())
+    /// For each instance four rows: three of the affine map to the world at the last frame from the world now, and one whose first number is 1 where it has moved
+    /// since the camera stands; none where no instance has.
+    pub fn motions(&self, scene: &PackedScene, frame: &Frame) -> Vec<[f32; 4]> {
+        let before = |index: usize| self.stood.as_ref().and_then(|stood| stood.get(index)).map(|at| at.world_from_grid);
+        let rows = |((index, now), has_moved): ((usize, &PackedInstance), &bool)| {
+            let before = before(index).filter(|before| *before != now.world_from_grid);
+            let then = before.map_or(Transform::IDENTITY, |before| before.after(&now.grid_from_world));
+            let [x, y, z] = [0, 1, 2].map(|axis| then.linear.row(axis).extend(then.translation[axis]).to_array());
+            [x, y, z, [f32::from(*has_moved), 0.0, 0.0, 0.0]]
         };
-        before.iter().zip(scene.instances()).flat_map(rows).collect()
+        let movers = self.movers_of(scene, frame);
+        scene.instances().iter().enumerate().zip(movers.moved()).flat_map(rows).collect()
+    }
+
+    /// The frame before one of which something is known.
+    fn before_of(&self, frame: &Frame) -> Option<&Frame> {
+        // A camera of another kind is not found again: pipelines are made for one.
+        let lens = |frame: &Frame| FrameParams::default().with_camera(&frame.camera.frame(1, 1)).lens;
+        let is_known = |before: &&Frame| self.parts.memory && before.seed == frame.seed && lens(before) == lens(frame);
+        self.before.as_ref().filter(is_known)
+    }
+
+    /// Those that have moved since the camera stands, with the next frame.
+    fn movers_of(&self, scene: &PackedScene, frame: &Frame) -> Movers {
+        let stood = self.stood.as_deref().unwrap_or_default();
+        let is_same_view = self.before_of(frame).is_some_and(|before| before.camera == frame.camera);
+        self.movers.after(moved(stood, scene.instances()), is_same_view && !self.is_edited)
     }
 
     /// Since when nothing moves, after the next frame.
     fn rest_after(&self, frame: &Frame) -> Rest {
         let before = self.before.as_ref().filter(|before| before.seed == frame.seed);
         let is_same_view = before.is_some_and(|before| before.camera == frame.camera);
-        let is_in_motion = before.is_some() && !(is_same_view && self.transforms.is_none());
+        let is_in_motion = before.is_some() && !(is_same_view && self.stood.is_none());
         self.rest.after(is_in_motion, is_same_view && !self.has_changed)
     }
 
     /// Ends a frame.
-    pub fn end(&mut self, frame: &Frame) {
+    pub fn end(&mut self, scene: &PackedScene, frame: &Frame) {
         self.rest = self.rest_after(frame);
+        self.movers = self.movers_of(scene, frame);
         self.before = Some(frame.clone());
-        (self.transforms, self.has_changed) = (None, false);
+        (self.stood, self.has_changed, self.is_edited) = (None, false, false);
         self.cell_samples = f32::INFINITY;
         self.number = self.number.wrapping_add(1);
     }

@@ -6,6 +6,7 @@ use crate::filter::filter;
 use crate::half_rate::{Rate, Samples};
 use crate::light_cache::{LightCache, Request};
 use crate::memory::Memory;
+use crate::movers::{Movers, Stood, moved};
 use crate::path::{Sample, View};
 use crate::reprojection::{Before, is_cut};
 use glam::{Vec2, Vec3};
@@ -84,7 +85,11 @@ pub struct RealTime {
     /// Whether light may have changed since the last frame.
     has_changed: bool,
     /// Where instances were at the last frame, where they are elsewhere now.
-    transforms: Option<Vec<Transform>>,
+    stood: Option<Vec<Stood>>,
+    /// Whether something else changed since the last frame.
+    is_edited: bool,
+    /// Those that have moved since the camera stands.
+    movers: Movers,
     /// How many there were at the last frame, and whether others stood there since.
     instances: Option<usize>,
     has_other_instances: bool,
@@ -112,7 +117,9 @@ impl RealTime {
             before: None,
             number: 0,
             has_changed: false,
-            transforms: None,
+            stood: None,
+            is_edited: false,
+            movers: Movers::default(),
             instances: None,
             has_other_instances: false,
             rest: Rest::LONG,
@@ -132,7 +139,7 @@ impl RealTime {
 
     /// Voxels, materials or lights of the scene are others now.
     pub fn change(&mut self) {
-        self.has_changed = true;
+        (self.has_changed, self.is_edited) = (true, true);
         self.cache.doubt(0.0);
     }
 
@@ -140,8 +147,7 @@ impl RealTime {
     pub fn move_instances(&mut self, before: &[PackedInstance]) {
         self.has_changed = true;
         self.cache.doubt(SAMPLES_WHILE_MOVING);
-        let stood =
-            self.transforms.get_or_insert_with(|| before.iter().map(|instance| instance.world_from_grid).collect());
+        let stood = self.stood.get_or_insert_with(|| before.iter().map(Stood::of).collect());
         // Others stood there since the last frame.
         self.has_other_instances |= stood.len() != before.len();
     }
@@ -160,7 +166,7 @@ impl RealTime {
     pub fn frame(&mut self, scene: &PackedScene, frame: &Frame) -> Vec<Vec3> {
         let instances = scene.instances().len();
         let are_others = |known: usize| known != instances;
-        let before = self.transforms.as_ref().map(Vec::len);
+        let before = self.stood.as_ref().map(Vec::len);
         if self.has_other_instances || before.is_some_and(are_others) || self.instances.is_some_and(are_others) {
             // Cells of the light cache and motions go by the numbers of instances.
             *self = Self { number: self.number, rate: self.rate, ..Self::new(self.parts) };
@@ -175,7 +181,7 @@ impl RealTime {
             false => self.memory.par_iter().map(|memory| memory.radiance(memory.irradiance())).collect(),
         };
         if self.parts.filter && self.rest.share() < 1.0 {
-            picture = antialiased(&self.memory, &picture, width, self.rest.share());
+            picture = antialiased(&self.memory, &picture, width, self.rest.share(), self.movers.keep());
         }
         self.memory.par_iter_mut().zip(&picture).for_each(|(memory, color)| memory.shown = word_of(*color));
         picture
@@ -191,15 +197,15 @@ impl RealTime {
         };
         let (samples, asked) = self.trace(&view, frame);
         requests.extend(asked);
-        let (memory, rest) = self.remember(&view, frame, &samples);
+        let (memory, rest, movers) = self.remember(&view, frame, &samples);
         let found = Found::of(&View { cache: None, ..view }, frame, self.number);
         let scramble = view.scramble;
         self.cache.insert(&requests);
         self.cache.update(&light, scramble);
         let camera = frame.camera.frame(width, height);
         self.before = Some(FrameBefore { frame: frame.clone(), camera, found });
-        (self.memory, self.samples, self.rest) = (memory, samples, rest);
-        (self.transforms, self.has_changed) = (None, false);
+        (self.memory, self.samples, self.rest, self.movers) = (memory, samples, rest, movers);
+        (self.stood, self.has_changed, self.is_edited) = (None, false, false);
         self.number += 1;
     }
 
@@ -233,8 +239,8 @@ impl RealTime {
         (samples.into_iter().flatten().collect(), requests.into_iter().flatten().collect())
     }
 
-    /// What is known of each pixel now, and since when nothing moves.
-    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> (Vec<Memory>, Rest) {
+    /// What is known of each pixel now, since when nothing moves, and what does.
+    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> (Vec<Memory>, Rest, Movers) {
         let before = self.before.as_ref().filter(|before| self.parts.memory && before.frame.seed == frame.seed);
         let is_same_view = before.is_some_and(|before| {
             before.frame.camera == frame.camera
@@ -247,6 +253,8 @@ impl RealTime {
             _ => self.memory.clone(),
         };
         let motions = self.motions(view.scene);
+        let stood = self.stood.as_deref().unwrap_or_default();
+        let movers = self.movers.after(moved(stood, view.scene.instances()), is_same_view && !self.is_edited);
         // In motion each frame would look anew, at everything.
         let is_in_motion = before.is_some() && !(is_same_view && motions.is_empty());
         let most_looks = if is_in_motion { LEAST_LOOKS } else { MOST_LOOKS };
@@ -260,6 +268,7 @@ impl RealTime {
                 None => Memory::default(),
                 Some(_) if is_still => memory[index],
                 Some(_) if is_same_view && motions.is_empty() => memory[index].look_anew(),
+                Some(_) if movers.keep() && memory[index].is_at_rest && !movers.are_in(&sample) => memory[index],
                 Some(before) => {
                     let ray = frame_ray(view, x, y);
                     let size = [before.frame.width, before.frame.height];
@@ -270,7 +279,8 @@ impl RealTime {
             };
             if !samples.traced(index) {
                 let is_lit = known.paths > 0.0;
-                if is_still && is_lit {
+                // Where something moves those alone are at rest that keep what they know.
+                if (is_still || known.is_at_rest) && is_lit {
                     return known;
                 }
                 for sample in samples.beside(index) {
@@ -278,7 +288,9 @@ impl RealTime {
                 }
                 return known;
             }
+            let is_at_rest = known.is_at_rest || known.looks == 0.0;
             known.add(&sample, most);
+            known.is_at_rest = is_at_rest && !movers.are_in(&sample);
             // Rays that only look go between the path's and each other.
             let jitter = sampler(frame, self.number, index as u32).stratified(DIMENSION_CAMERA);
             let (mut looks, mut differs) = (0, false);
@@ -288,12 +300,13 @@ impl RealTime {
                 let sampler = Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: sample_number };
                 let seen = view.look(x, y, sampler, shifted(jitter, looks));
                 differs |= seen.differs(&sample);
+                known.is_at_rest &= !movers.are_in(&seen);
                 known.look(&seen);
             }
             known
         };
         let memory = (0..samples.samples.len()).into_par_iter().map(pixel).collect();
-        (memory, self.rest.after(is_in_motion, is_still))
+        (memory, self.rest.after(is_in_motion, is_still), movers)
     }
 
     /// What was known of each pixel of the frame before, less where light changed.
@@ -312,8 +325,8 @@ impl RealTime {
 
     /// For each instance that stands elsewhere, the world then from the world now; empty where none does.
     fn motions(&self, scene: &PackedScene) -> Vec<Option<Transform>> {
-        let Some(before) = &self.transforms else { return Vec::new() };
-        let motion = |(before, now): (&Transform, &PackedInstance)| {
+        let Some(before) = &self.stood else { return Vec::new() };
+        let motion = |(Stood { world_from_grid: before, .. }, now): (&Stood, &PackedInstance)| {
             (*before != now.world_from_grid).then(|| before.after(&now.grid_from_world))
         };
         before.iter().zip(scene.instances()).map(motion).collect()

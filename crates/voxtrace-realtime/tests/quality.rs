@@ -1,12 +1,17 @@
 //! Real-time light against films of many samples, in a room with a lamp, blocks, a mirror and a window of sky.
 
 use glam::{IVec3, Vec3};
+use voxtrace_core::packed::{PackedInstance, Placement};
 use voxtrace_core::{CpuTracer, Film, Frame, PackedScene, Progress, Tracer};
 use voxtrace_realtime::{Parts, RealTime};
 use voxtrace_scene::{Camera, Instance, Material, Scene, VoxelGrid, transform::Transform};
 
-/// A room of 48 × 48 × 32 voxels: grey walls, one of them red, a lamp, a block and a mirror.
 fn room() -> PackedScene {
+    PackedScene::pack(&room_with(0)).unwrap()
+}
+
+/// A room of 48 × 48 × 32 voxels: grey walls, one of them red, a lamp, a block and a mirror; with some cubes of 3³ voxels, each an instance, in the air.
+fn room_with(cubes: usize) -> Scene {
     let mut grid = VoxelGrid::default();
     for x in 0..48 {
         for y in 0..48 {
@@ -33,7 +38,24 @@ fn room() -> PackedScene {
     scene.materials.push(Material { metallic: 1.0, roughness: 0.0, ..matte(Vec3::splat(0.9)) });
     scene.grids.push(grid.into());
     scene.instances.push(Instance::new(0, Transform::IDENTITY));
-    PackedScene::pack(&scene).unwrap()
+    let mut cube = VoxelGrid::default();
+    (0..27).for_each(|index| _ = cube.set(IVec3::new(index % 3, index / 3 % 3, index / 9), 1));
+    scene.grids.push(cube.into());
+    for number in 0..cubes {
+        let place = Vec3::new(8.0, 12.0 + 4.0 * number as f32, 22.0);
+        scene.instances.push(Instance::new(1, Transform::from_translation(place)));
+    }
+    scene
+}
+
+/// The scene with some instances a step to the right.
+fn step(scene: &PackedScene, moved: impl Fn(usize) -> bool) -> PackedScene {
+    let place = |(index, instance): (usize, &PackedInstance)| {
+        let by = if moved(index) { Vec3::X } else { Vec3::ZERO };
+        PackedInstance::new(instance.grid, instance.world_from_grid.translated(by), instance.scene_instance)
+    };
+    let instances: Vec<_> = scene.instances().iter().enumerate().map(place).collect();
+    scene.with_placement(&Placement::new(scene.geometry(), instances).unwrap()).unwrap()
 }
 
 fn frame() -> Frame {
@@ -138,6 +160,39 @@ fn lamps_that_are_dimmed_leave_no_ghost() {
     let ratios = after(true);
     assert!(ratios.iter().all(|ratio| (0.8..1.25).contains(ratio)), "{ratios:?}");
     assert!(after(false).iter().all(|&ratio| ratio > 2.0), "who does not say that light changed sees its ghost");
+}
+
+#[test]
+fn pixels_in_which_nothing_moves_keep_what_they_know_and_those_that_a_thing_left_do_not() {
+    let (mut scene, frame) = (PackedScene::pack(&room_with(2)).unwrap(), Frame::new(frame().camera, 96, 54));
+    let mut real_time = RealTime::new(Parts::ALL);
+    let mut last_seen = vec![None; 96 * 54];
+    let mut next = |real_time: &mut RealTime, number: f32, moved: &dyn Fn(usize) -> bool| {
+        let before = scene.instances().to_vec();
+        scene = step(&scene, moved);
+        real_time.move_instances(&before);
+        real_time.frame(&scene, &frame);
+        for (memory, last_seen) in real_time.memory().iter().zip(&mut last_seen) {
+            if memory.coverage > 0.0 && memory.instance == 1 {
+                *last_seen = Some(number);
+                assert!(!memory.is_at_rest, "frame {number}: {memory:?}");
+            }
+            // A pixel is looked at four times when it has left, and once in each frame from then on. The first picture has several frames.
+            let most = last_seen.filter(|_| number > 0.0).map_or(f32::INFINITY, |last| 4.0 + number - last);
+            assert!(memory.looks <= most, "frame {number}, last seen in {last_seen:?}: {memory:?}");
+        }
+        let kept = real_time.memory().iter().filter(|memory| memory.is_at_rest && memory.looks > 4.0).count();
+        kept as f32 / (96.0 * 54.0)
+    };
+    let first = |index: usize| index == 1;
+    let kept: Vec<f32> = (0..16).map(|number| next(&mut real_time, number as f32, &first)).collect();
+    // All but the cube, its edges and the mirror.
+    assert!(kept.iter().skip(1).all(|kept| (0.75..0.99).contains(kept)), "{kept:?}");
+    let looks = real_time.memory().iter().map(|memory| memory.looks).fold(0.0, f32::max);
+    assert!(looks >= 18.0, "{looks}");
+    // Where another one begins to move too, it may be in what any pixel remembers.
+    assert_eq!(next(&mut real_time, 16.0, &|index| index > 0), 0.0);
+    assert!(next(&mut real_time, 17.0, &|index| index == 2) > 0.7, "both are known to move");
 }
 
 #[test]

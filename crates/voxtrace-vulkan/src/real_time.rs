@@ -15,7 +15,7 @@ use ash::vk;
 use gpu_allocator::MemoryLocation;
 use left::Left;
 use std::sync::Arc;
-use voxtrace_core::{Frame, TraceError};
+use voxtrace_core::{Frame, PackedScene, TraceError};
 use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, RealTimeParams, slots, squares};
 
 /// How many pixels trace a path in each frame of real-time light.
@@ -210,7 +210,7 @@ impl RealTime {
         self.left.bytes() + pixels.chain(cells).chain(&self.motions).map(Buffer::bytes).sum::<u64>()
     }
 
-    /// Writes what the steps of a frame read, and how instances moved: rows of affine maps. Nothing may be in flight.
+    /// Writes what the steps of a frame read, and how instances moved: the rows of [`FramesOnDevice::motions`]. Nothing may be in flight.
     pub fn write(&mut self, params: &RealTimeParams, motions: &[[f32; 4]]) -> Result<(), TraceError> {
         self.params.mapped_mut()[..size_of::<RealTimeParams>()].copy_from_slice(bytemuck::bytes_of(params));
         let bytes: &[u8] = bytemuck::cast_slice(motions);
@@ -346,8 +346,8 @@ impl RealTime {
     }
 
     /// Ends a frame.
-    pub fn end(&mut self, frame: &Frame) {
-        self.frames.end(frame);
+    pub fn end(&mut self, scene: &PackedScene, frame: &Frame) {
+        self.frames.end(scene, frame);
         self.is_new = false;
     }
 }

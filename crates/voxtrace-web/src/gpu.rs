@@ -157,12 +157,12 @@ impl GpuScene {
         let count = self.frames.frames_of_picture(&frame);
         let (mut frames, mut reprojects, mut looks) = (Vec::new(), Vec::new(), Vec::new());
         for _ in 0..count {
-            let of_frame = self.frames.params(&self.scene, &frame, &params, Rate::Full, (false, false));
+            let of_frame = self.frames.params(&self.scene, &frame, Rate::Full, (false, false));
             let of_frame = RealTimeParams { exposure, curve, ..of_frame };
             frames.extend_from_slice(cast_slice(bytes_of(&of_frame)));
             reprojects.push(u8::from(of_frame.flags & (flag::KNOWS | flag::SAME_VIEW) == flag::KNOWS));
             looks.extend(<[u32; 2]>::from(looks_of(&of_frame)));
-            self.frames.end(&frame);
+            self.frames.end(&self.scene, &frame);
         }
         Ok(GpuRealTime {
             frame: frame_words(&params),

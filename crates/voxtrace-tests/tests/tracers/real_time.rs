@@ -196,6 +196,12 @@ fn paths_that_leave_the_waves_have_the_bits_of_the_processor() {
     compare(&mut both, "among all materials in waves", 2, |_| view());
     shift(&mut both);
     compare(&mut both, "among all materials in waves, where instances moved", 1, |_| view());
+    shift(&mut both);
+    // As windows do: the same light is no change.
+    both.gpu.set_scene(&both.scene).unwrap();
+    compare(&mut both, "among all materials in waves, where they go on", 1, |_| view());
+    let kept = compare_rests(&mut both, "among all materials in waves");
+    assert!((0.1..0.99).contains(&kept), "{kept}");
     assert!(both.had("shade_left") && both.had("trace_before"), "in waves: {:?}", both.steps);
     both.rate = Rate::Half;
     both.cpu.set_rate(Rate::Half);
@@ -353,6 +359,25 @@ fn place(both: &mut Both, instances: Vec<PackedInstance>) {
     both.cpu.move_instances(&before);
 }
 
+/// Of each pixel, whether it is at rest, and the rays of the camera that it remembers: the processor's, and the device's.
+fn rests(both: &mut Both) -> [Vec<(bool, f32)>; 2] {
+    let ours = both.cpu.memory().iter().map(|memory| (memory.is_at_rest, memory.looks)).collect();
+    let [memory, ..] = both.gpu.real_time_words().unwrap();
+    let pixels = (SIZE.x * SIZE.y) as usize;
+    // Half floats that are neither 0 nor below the normal ones.
+    let looks = |word: u32| f32::from_bits(((word >> 16) << 13) + (112 << 23));
+    let theirs = (0..pixels).map(|index| (memory[4 * index + 3] >> 31 != 0, looks(memory[4 * (pixels + index)])));
+    [ours, theirs.collect()]
+}
+
+/// Makes sure that both sides keep what they know in the same pixels. Returns the share of those.
+fn compare_rests(both: &mut Both, what: &str) -> f32 {
+    let [ours, theirs] = rests(both);
+    let different = ours.iter().zip(&theirs).filter(|(ours, theirs)| ours != theirs).count();
+    assert!(different == 0, "{what}: {different} pixels");
+    ours.iter().filter(|(is_at_rest, looks)| *is_at_rest && *looks > 4.0).count() as f32 / ours.len() as f32
+}
+
 /// A ball appears.
 fn edit(both: &mut Both, dynamic: &mut DynamicScene) {
     let shape = Shape::Sphere { center: Vec3::new(-4.0, -8.0, 3.0).as_dvec3(), radius: 3.0 };
@@ -394,8 +419,29 @@ fn pictures_of_real_time_light_are_those_of_the_processor_after_edits_and_where_
 
     for step in 1..4 {
         shift(&mut both);
-        compare(&mut both, &format!("where instances moved, {step}"), 1, |_| view());
+        let what = format!("where instances moved, {step}");
+        compare(&mut both, &what, 1, |_| view());
+        let kept = compare_rests(&mut both, &what);
+        // Of the first step it is not known before what it moves.
+        assert!(if step == 1 { kept == 0.0 } else { (0.3..0.99).contains(&kept) }, "{what}: {kept}");
     }
+    compare(&mut both, "at rest again", 2, |_| view());
+    shift(&mut both);
+    compare(&mut both, "and on", 1, |_| view());
+    assert!(compare_rests(&mut both, "and on") > 0.3);
+    both.rate = Rate::Half;
+    both.cpu.set_rate(Rate::Half);
+    for step in 1..4 {
+        shift(&mut both);
+        let what = format!("where instances moved, at half the rate, {step}");
+        compare(&mut both, &what, 1, |_| view());
+        assert!(compare_rests(&mut both, &what) > 0.3, "{what}");
+    }
+    // A planted fault: the device does not know of a frame.
+    shift(&mut both);
+    both.cpu.frame(&both.scene, &view());
+    let [ours, theirs] = rests(&mut both);
+    assert!(ours != theirs);
     assert_valid(&device);
 }
 

@@ -83,7 +83,7 @@ impl Worker {
             if result.is_err() {
                 break;
             }
-            state.end(frame);
+            state.end(&scene, frame);
         }
         self.stop_showing();
         if result.is_ok() {
@@ -121,7 +121,7 @@ impl Worker {
         picture: &Picture,
     ) -> Result<RealTimeFrame, TraceError> {
         let &Prepared { params, tracing, in_waves } = prepared;
-        let mut of_frame = state.frames.params(scene, frame, &params, rate, (in_waves, true));
+        let mut of_frame = state.frames.params(scene, frame, rate, (in_waves, true));
         let leaves = in_waves && tracing.has_materials && state.left.in_waves();
         if leaves {
             of_frame.flags |= flag::LEAVES;
@@ -130,7 +130,7 @@ impl Worker {
         let only_waves = in_waves && (leaves || !tracing.has_materials);
         let steps = steps_of(&of_frame, rate, size, only_waves, state.left.rounds());
         let variants = self.prepare_real_time(tracing, &steps)?;
-        let motions = state.frames.motions(scene);
+        let motions = state.frames.motions(scene, frame);
         state.write(&of_frame, &motions)?;
         self.set_params(&params);
         state.bind(&self.bindings, &self.nothing);

@@ -20,11 +20,16 @@ impl Worker {
         self.film = None;
         if let Some(mut buffers) = self.scene.take_if(|buffers| buffers.holds(scene)) {
             // Another light: nothing to build, and at most an environment map to upload. Where that fails no scene is left.
+            let is_lit_as =
+                |other: &PackedScene| other.sky == scene.sky && other.light_intensity == scene.light_intensity;
+            let has_changed = !is_lit_as(&buffers.scene);
             if buffers.light(&self.device, &mut self.submitter, &mut self.transfer, scene)? {
                 buffers.bind(&self.bindings);
             }
             self.scene = Some(buffers);
-            self.real_time.iter_mut().for_each(|state| state.frames.change());
+            if has_changed {
+                self.real_time.iter_mut().for_each(|state| state.frames.change());
+            }
             return Ok(());
         }
         (self.scene, self.accel, self.pixels_at_a_time) = (None, None, u64::MAX);
@@ -86,7 +91,7 @@ impl Worker {
         if let Some(state) = &mut self.real_time {
             let before = buffers.scene.instances();
             match before.len() == scene.instances().len() {
-                true => state.frames.move_instances(before.iter().map(|instance| instance.world_from_grid)),
+                true => state.frames.move_instances(before),
                 // What is known names instances by their numbers.
                 false => state.forget(),
             }

@@ -201,7 +201,10 @@ pub const TABLE: &[Source] = &[
             same("NORMAL_ROUNDING"),
         ],
     },
-    Source { file: "voxtrace-realtime/src/antialiasing.rs", items: &[same("SHOWN_REACH"), same("SHOWN_MOST")] },
+    Source {
+        file: "voxtrace-realtime/src/antialiasing.rs",
+        items: &[same("SHOWN_REACH"), same("KEPT_SHARE"), same("SHOWN_MOST")],
+    },
     Source {
         file: "voxtrace-realtime/src/reprojection.rs",
         items: &[
