@@ -84,6 +84,12 @@ impl ImportArgs {
         ImportOptions { heights, blocks, in_memory, strict: self.strict, animation, shape_rate, ..options }
     }
 
+    /// Has an animation of a mesh move it, the first where none is named; so many shapes a second are made of what bends in it.
+    pub fn play(&mut self, name: Option<&str>, shape_rate: f64) {
+        self.animation = name.map_or(ClipChoice::First, |name| ClipChoice::Named(name.to_owned()));
+        self.shape_rate = Some(shape_rate);
+    }
+
     /// Keeps what is within volumes and heightmaps, unless an option says otherwise: cuts show it.
     pub fn keep_inside(&mut self) {
         self.volume.keeps_inside = true;

@@ -58,7 +58,7 @@ mod walking;
 pub use app::{ViewerError, WindowOptions, open_window};
 pub use cloud::{PointsChoice, PointsSeen};
 pub use load::{Loader, Reading, Told, Wanted};
-pub use motion::Motion;
+pub use motion::{Motion, Plays};
 pub use transfer::ValuesSeen;
 
 /// The example of the crate's page, compiled.

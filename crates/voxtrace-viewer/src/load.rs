@@ -1,7 +1,7 @@
 //! Opening scenes on a thread of their own, with what is told meanwhile. The last scene that was asked for counts.
 
 use crate::cloud::{PointsChoice, PointsSeen};
-use crate::motion::Motion;
+use crate::motion::{Motion, Plays};
 use crate::threads;
 use crate::tr;
 use crate::transfer::ValuesSeen;
@@ -34,8 +34,8 @@ pub enum Told {
     Points(Arc<PointsSeen>),
     /// The scene moves, and how.
     Moves(Arc<Motion>),
-    /// The file has keyframes, which last so many frames; what moves comes where it is asked for ([`Reading::moves`]).
-    Keyframes(u32),
+    /// The file brings something along that plays; what moves comes where it is asked for ([`Reading::moves`]).
+    Plays(Plays),
     /// What a benchmark measured.
     Measured(Vec<Measurement>),
     /// The scene is a volume in memory: what its values are.
@@ -142,7 +142,7 @@ pub struct Loading {
     values: Option<Arc<ValuesSeen>>,
     points: Option<Arc<PointsSeen>>,
     motion: Option<Arc<Motion>>,
-    keyframes: u32,
+    plays: Plays,
     answers: Receiver<Answer>,
     wanted: Wanted,
 }
@@ -167,8 +167,8 @@ pub struct Came {
     pub values: Option<Arc<ValuesSeen>>,
     /// What moves in it.
     pub motion: Option<Arc<Motion>>,
-    /// How many frames the keyframes of its file last.
-    pub keyframes: u32,
+    /// What its file brings along that plays.
+    pub plays: Plays,
     /// What its points are.
     pub points: Option<Arc<PointsSeen>>,
     /// Notes about the file.
@@ -213,7 +213,7 @@ impl Loading {
             values: None,
             points: None,
             motion: None,
-            keyframes: 0,
+            plays: Plays::Nothing,
             answers,
             wanted,
         }
@@ -232,13 +232,13 @@ impl Loading {
                 Ok(Answer::Told(Told::Points(points))) => self.points = Some(points),
                 Ok(Answer::Told(Told::Measured(_))) => {}
                 Ok(Answer::Told(Told::Moves(motion))) => self.motion = Some(motion),
-                Ok(Answer::Told(Told::Keyframes(frames))) => self.keyframes = frames,
+                Ok(Answer::Told(Told::Plays(plays))) => self.plays = plays,
                 Ok(Answer::Told(Told::Values(values))) => self.values = Some(values),
                 Ok(Answer::Done(result)) => {
                     came.result = Some(result.map(|scene| Arc::new(*scene)));
                     came.depends_on_cuts = self.depends_on_cuts;
                     (came.values, came.points) = (self.values.take(), self.points.take());
-                    (came.motion, came.keyframes) = (self.motion.take(), self.keyframes);
+                    (came.motion, came.plays) = (self.motion.take(), self.plays);
                 }
                 Err(TryRecvError::Empty) => return came,
                 Err(TryRecvError::Disconnected) => {

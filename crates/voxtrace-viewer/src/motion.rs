@@ -18,8 +18,37 @@ pub struct Motion {
     pub animation: Animation,
     /// Whether a file says how many of its keyframes there are in a second; else as many as frames of the clip.
     pub has_own_rate: bool,
-    /// How many frames the keyframes of the scene's file last; 0: it has none.
-    pub keyframes: u32,
+    /// How many shapes a second were made of what bends; `None`: nothing does.
+    pub shape_rate: Option<f64>,
+}
+
+/// Keyframes a second: about as MagicaVoxel plays them.
+const KEY_FPS: f64 = 10.0;
+/// Frames a second of an animation in seconds.
+const CLIP_FPS: f64 = 24.0;
+
+/// What the file of a scene brings along that plays.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Plays {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// Keyframes, which last so many frames.
+    Keyframes(u32),
+    /// An animation, which lasts so many seconds.
+    Clip(f64),
+}
+
+impl Plays {
+    /// Frames a second of a clip that shows all of it, and how long that is in seconds; `None`: there is nothing to play.
+    pub fn course(self) -> Option<(f64, f64)> {
+        match self {
+            Self::Keyframes(frames) if frames > 0 => Some((KEY_FPS, f64::from(frames) / KEY_FPS)),
+            // A whole number of frames, so that the last one is the end.
+            Self::Clip(seconds) if seconds > 0.0 => Some((CLIP_FPS, (seconds * CLIP_FPS).round().max(1.0) / CLIP_FPS)),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Debug for Motion {
@@ -97,19 +126,24 @@ impl Session {
         self.moving.is_some()
     }
 
-    /// Whether the file of the scene has keyframes.
-    pub(crate) fn has_keyframes(&self) -> bool {
-        self.open.as_ref().is_some_and(|open| open.keyframes > 0)
+    /// Whether the file of the scene brings something along that plays.
+    pub(crate) fn has_something_to_play(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.plays.course().is_some())
     }
 
-    /// A scene whose file has keyframes is read again to be moved, once the timeline is shown. Returns whether that was asked for.
+    /// A scene whose file brings something along that plays is read again to be moved, once the timeline is shown. Returns whether that was asked for.
     pub(crate) fn ask_for_motion(&mut self) -> bool {
-        let asks = self.has_keyframes() && self.moving.is_none() && !self.refuses_to_read_again();
+        let asks = self.has_something_to_play() && self.moving.is_none() && !self.refuses_to_read_again();
         if asks {
             self.wants_motion = true;
             self.ask(Command::LoadAgain);
         }
         asks
+    }
+
+    /// How many shapes a second were made of what bends in the scene.
+    pub(crate) fn shape_rate(&self) -> Option<f64> {
+        self.moving.as_ref()?.motion.shape_rate
     }
 
     /// The command that renders the picture of a scene that moves: the frame under the playhead, of the timeline as it is kept now.

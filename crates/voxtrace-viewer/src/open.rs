@@ -1,5 +1,6 @@
 //! The scene that is shown, with what was changed about it: materials, and which parts are seen.
 
+use crate::motion::Plays;
 use crate::render_settings::RenderSettings;
 use crate::skies::MadeSky;
 use crate::threads;
@@ -30,8 +31,8 @@ pub struct Open {
     pub canvas: Option<voxtrace::grid::VoxelBox>,
     /// Whether its file is read otherwise where the scene is cut: with what nobody sees inside.
     pub depends_on_cuts: bool,
-    /// How many frames the keyframes of its file last.
-    pub keyframes: u32,
+    /// What its file brings along that plays.
+    pub plays: Plays,
     /// Voxels of its grids, each once.
     pub voxels: u64,
     /// Its parts, with what its file hides.
@@ -55,7 +56,7 @@ impl Open {
             source,
             canvas: None,
             depends_on_cuts: false,
-            keyframes: 0,
+            plays: Plays::Nothing,
             voxels,
             is_visible: outline.objects.iter().map(|object| !object.is_hidden).collect(),
             outline,
@@ -74,11 +75,11 @@ impl Open {
 
     /// The same scene read again, with parts that its file hides; what was changed stays.
     pub fn read_again(self, scene: Arc<PackedScene>) -> Self {
-        let Self { source, outline, is_visible, materials, depends_on_cuts, keyframes, .. } = self;
+        let Self { source, outline, is_visible, materials, depends_on_cuts, plays, .. } = self;
         // The file may have become another one.
         match scene.outline.objects.len() == outline.objects.len() {
-            true => Self { outline, is_visible, materials, depends_on_cuts, keyframes, ..Self::new(source, scene) },
-            false => Self { depends_on_cuts, keyframes, ..Self::new(source, scene) },
+            true => Self { outline, is_visible, materials, depends_on_cuts, plays, ..Self::new(source, scene) },
+            false => Self { depends_on_cuts, plays, ..Self::new(source, scene) },
         }
     }
 

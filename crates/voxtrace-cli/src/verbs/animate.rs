@@ -7,7 +7,6 @@ use crate::failure::{Failure, Kind};
 use crate::outputs;
 use crate::report::Report;
 use std::path::{Path, PathBuf};
-use voxtrace::import::ClipChoice;
 use voxtrace::output::PictureFormat;
 
 const OUTPUT_HELP: &str = "Clip to write: .mp4, .gif, .png or .apng; or frames, with #### where their number goes: shot_####.png, .exr or .vxf; \
@@ -85,9 +84,7 @@ impl AnimateArgs {
             made?;
         }
         self.render.picture.output = frames;
-        let asked = director.clip().map(str::to_owned);
-        self.render.scene.import.animation = asked.map_or(ClipChoice::First, ClipChoice::Named);
-        self.render.scene.import.shape_rate = Some(director.shape_rate());
+        self.render.scene.import.play(director.clip(), director.shape_rate());
         let rendered = self.render.clone().run_directed(Some(&director), &mut |stage| clip.learn(stage), report);
         clip.note_inputs();
         if rendered.is_err() {

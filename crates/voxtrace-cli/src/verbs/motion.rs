@@ -1,16 +1,16 @@
-//! Scenes that move in the window, as `animate` moves them: keyframes of their file, or an animation's TOML.
+//! Scenes that move in the window, as `animate` moves them: keyframes or an animation of their file, or an animation's TOML.
 
 use crate::animation::{Director, MotionArgs, Script};
 use crate::failure::Failure;
 use crate::views::ViewArgs;
 use std::path::Path;
 use std::sync::Arc;
-use voxtrace::animation::keyframe_count;
+use voxtrace::animation::{keyframe_count, playing};
 use voxtrace::changes::PartName;
 use voxtrace::import::Content;
 use voxtrace::packed::Outline;
 use voxtrace::{PackedScene, Placement};
-use voxtrace_viewer::Motion;
+use voxtrace_viewer::{Motion, Plays};
 
 /// What moves, and the names of the objects without what was packed beside them.
 pub struct InMotion {
@@ -18,31 +18,38 @@ pub struct InMotion {
     outline: Outline,
 }
 
-/// Frames that the keyframes of a file last.
-pub fn keyframes_of(content: &Content) -> u32 {
-    match content {
-        Content::Scene(scene) => keyframe_count(scene),
-        Content::Packed(_) => 0,
+/// What a file brings along that plays.
+pub fn plays_of(content: &Content) -> Plays {
+    let Content::Scene(scene) = content else { return Plays::Nothing };
+    let clip = scene.clips.first().map_or(Plays::Nothing, |clip| Plays::Clip(clip.seconds));
+    match (playing(scene), keyframe_count(scene)) {
+        (Some((seconds, _)), _) => Plays::Clip(seconds),
+        (None, 0) => clip,
+        (None, frames) => Plays::Keyframes(frames),
     }
+}
+
+/// What is known of what moves before the scene is read; `script` is the TOML that says what else does.
+pub fn director_of(script: Option<&Path>) -> Result<Director, Failure> {
+    Ok(Director { script: script.map(Script::open).transpose()?, args: MotionArgs::default() })
 }
 
 /// The content in which everything is that ever moves, with instances apart; `None` where the camera alone does.
 pub fn in_motion(
     content: Content,
-    script: Option<&Path>,
+    director: &Director,
     shown: &[PartName],
 ) -> Result<(Content, Option<InMotion>), Failure> {
-    let keyframes = keyframes_of(&content);
-    let script = script.map(Script::open).transpose()?;
-    let has_own_rate = script.as_ref().is_some_and(|script| script.key_fps.is_some());
+    let has_own_rate = director.script.as_ref().is_some_and(|script| script.key_fps.is_some());
     // A clip without an end is as long as the window says.
     let view = ViewArgs { turntable: Some(0), frames: Some(1..=240), ..ViewArgs::none() };
-    let director = Director { script, args: MotionArgs::default() };
     let (content, cast) = director.cast(content, &view, shown)?;
     if !cast.is_moving && cast.animation.sun.is_none() && cast.animation.sky_brightness.is_none() {
         return Ok((content, None));
     }
-    let motion = Motion { base: cast.base, animation: cast.animation, has_own_rate, keyframes };
+    let bends = playing(&cast.base).is_some_and(|(_, motion)| !motion.shapes.is_empty());
+    let shape_rate = bends.then(|| director.shape_rate());
+    let motion = Motion { base: cast.base, animation: cast.animation, has_own_rate, shape_rate };
     Ok((content, Some(InMotion { motion: Arc::new(motion), outline: cast.outline })))
 }
 
@@ -178,6 +185,70 @@ mod tests {
         let frames = session.timeline.course.frames();
         assert!((10..=11).contains(&frames), "{frames}");
         plays_as_animate_renders(&mut session, folder.path(), &[9, 3, 6]);
+    }
+
+    /// A glTF file of a floor and a pyramid that goes along x for half a second and, where it `bends`, grows on its way.
+    fn gltf(folder: &Path, bends: bool) -> std::path::PathBuf {
+        let corners: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let (times, weights) = ([0.0f32, 0.25, 0.5], [0.0f32, 2.0, 0.5]);
+        let places: [[f32; 3]; 3] = [[-2.0, 0.0, 0.0], [1.0, 0.5, 0.0], [2.0, 0.0, 0.0]];
+        let floats = corners.as_flattened().iter().chain(&times).chain(places.as_flattened()).chain(&weights);
+        let faces: [u16; 12] = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+        let bytes = floats.flat_map(|n| n.to_le_bytes()).chain(faces.iter().flat_map(|n| n.to_le_bytes()));
+        std::fs::write(folder.join("goer.bin"), bytes.collect::<Vec<u8>>()).unwrap();
+        let (targets, channel) = match bends {
+            true => (r#","targets":[{"POSITION":0}]"#, r#",{"sampler":1,"target":{"node":1,"path":"weights"}}"#),
+            false => ("", ""),
+        };
+        let primitive = |targets: &str| format!(r#"{{"attributes":{{"POSITION":0}},"indices":4{targets}}}"#);
+        let text = format!(
+            r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0,1]}}],
+            "nodes":[{{"mesh":0,"translation":[-3,-0.2,-2],"scale":[6,0.1,5]}},{{"mesh":1,"name":"goer"}}],
+            "animations":[{{"name":"go","channels":[{{"sampler":0,"target":{{"node":1,"path":"translation"}}}}{channel}],
+                "samplers":[{{"input":1,"output":2}},{{"input":1,"output":3}}]}}],
+            "meshes":[{{"primitives":[{}]}},{{"primitives":[{}]}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}},
+                {{"bufferView":1,"componentType":5126,"count":3,"type":"SCALAR","min":[0],"max":[0.5]}},
+                {{"bufferView":2,"componentType":5126,"count":3,"type":"VEC3"}},
+                {{"bufferView":3,"componentType":5126,"count":3,"type":"SCALAR"}},
+                {{"bufferView":4,"componentType":5123,"count":12,"type":"SCALAR"}}],
+            "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":12}},
+                {{"buffer":0,"byteOffset":60,"byteLength":36}},{{"buffer":0,"byteOffset":96,"byteLength":12}},
+                {{"buffer":0,"byteOffset":108,"byteLength":24}}],
+            "buffers":[{{"uri":"goer.bin","byteLength":132}}]}}"#,
+            primitive(""),
+            primitive(targets),
+        );
+        let path = folder.join("goer.gltf");
+        std::fs::write(&path, text).unwrap();
+        path
+    }
+
+    #[test]
+    fn an_animation_of_gltf_plays_in_the_window_as_animate_renders_it() {
+        let loader: Arc<dyn Loader> = Arc::new(Words::parse_from(["view"]).view.into_loader());
+        for bends in [false, true] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = gltf(folder.path(), bends);
+            // As it is opened, it is a still; the timeline has it read again.
+            let mut still = Session::new(Traversal::Cpu);
+            still.loading =
+                Some(Loading::start(&loader, &path.display().to_string(), Reading::default(), false, Arc::new(|| {})));
+            while still.loading.is_some() {
+                still.take_loaded();
+                std::thread::sleep(std::time::Duration::from_millis(1));
+            }
+            assert!(!still.has_motion() && still.open.as_ref().unwrap().alone.instances().len() == 1);
+            still.toggle_timeline();
+            assert!(still.take_commands().contains(&Command::LoadAgain));
+
+            let mut session = opened(&loader, &path, None);
+            assert!(session.has_motion());
+            assert_eq!((session.timeline.course.fps, session.timeline.course.frames()), (24.0, 12));
+            // Shapes are those that were read, whatever the rate of frames.
+            session.timeline.edit(|course| course.fps = 10.0);
+            plays_as_animate_renders(&mut session, folder.path(), &[4, 2, 3]);
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `voxtrace view`: the window. Scenes are read with the same options as `render` reads them.
 
 use super::kept_volume::KeptVolume;
-use super::motion::{in_motion, keyframes_of};
+use super::motion::{director_of, in_motion, plays_of};
 use super::{beside, convert};
 use crate::changes::packed_with;
 use crate::cuts::CutArgs;
@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use voxtrace::import::{Data, Kind, READERS};
 use voxtrace::{PackedScene, TraceError, Volume, scenes};
 use voxtrace_viewer::frame_bench::{self, FrameBench, Times, middle_and_most};
-use voxtrace_viewer::{Loader, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
+use voxtrace_viewer::{Loader, Plays, Reading, Told, ViewerError, Wanted, WindowOptions, open_window};
 use voxtrace_vulkan::{Device, Rate, Settings, Traversal};
 
 /// Fly through a scene in a window, while the light gathers
@@ -295,6 +295,13 @@ impl Loader for Files {
             (scene.import.volume.transfer, scene.import.volume.threshold) = (Some(transfer.clone()), None);
         }
         scene.import.volume.coarse = reading.coarse;
+        let director = match reading.moves {
+            true => Some(director_of(reading.animation.as_deref()).map_err(|failure| failure.line())?),
+            false => None,
+        };
+        if let Some(director) = &director {
+            scene.import.play(director.clip(), director.shape_rate());
+        }
         if let Some(points) = &reading.points {
             scene.import.mesh.choose_points(points)?;
         }
@@ -315,13 +322,13 @@ impl Loader for Files {
         let again = reading.is_again;
         let content = self.volume.load(&scene, again, &tell, &mut report).and_then(|content| {
             interrupt::check()?;
-            let keyframes = keyframes_of(&content);
-            if keyframes > 0 {
-                tell(Told::Keyframes(keyframes));
+            let plays = plays_of(&content);
+            if plays != Plays::Nothing {
+                tell(Told::Plays(plays));
             }
-            let (content, moving) = match reading.moves {
-                true => in_motion(content, reading.animation.as_deref(), &reading.shown)?,
-                false => (content, None),
+            let (content, moving) = match &director {
+                Some(director) => in_motion(content, director, &reading.shown)?,
+                None => (content, None),
             };
             // What moves stays apart; parts that are hidden were shown before it was put in motion.
             let mut packed = match &moving {

@@ -168,7 +168,7 @@ impl Session {
         self.loading = Some(Loading::start(means.loader, &open.source, reading, true, (means.wake)(News::Loading)));
     }
 
-    /// How what moves is read: where an animation was opened, or the timeline is shown of a scene with keyframes.
+    /// How what moves is read: where an animation was opened, or the timeline is shown of a scene whose file has something to play.
     fn motion_wanted(&self, is_again: bool) -> Reading {
         let shown = || self.timeline_that_moves().filter(|_| is_again);
         let animation = self.wanted_timeline.clone().or_else(shown);

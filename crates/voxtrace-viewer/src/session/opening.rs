@@ -3,6 +3,7 @@
 use super::{Command, Leaving, Open, Session};
 use crate::cutting::Cutting;
 use crate::load::Came;
+use crate::motion::Plays;
 use crate::navigation::Mode;
 use crate::surroundings::Surroundings;
 use crate::tr;
@@ -23,7 +24,7 @@ impl Session {
     pub fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
         let (source, is_again) = (loading.source.clone(), loading.is_again);
-        let Came { notes, result, depends_on_cuts, values, points, motion, keyframes } = loading.take();
+        let Came { notes, result, depends_on_cuts, values, points, motion, plays } = loading.take();
         for note in notes {
             self.say(note, false);
         }
@@ -60,9 +61,9 @@ impl Session {
                     }
                     false => self.show(source, scene),
                 }
-                self.begin_motion(keyframes);
+                self.begin_motion(plays);
                 if let Some(open) = &mut self.open {
-                    open.keyframes = keyframes.max(open.keyframes);
+                    open.plays = if plays == Plays::Nothing { open.plays } else { plays };
                     open.depends_on_cuts = depends_on_cuts || (is_again && open.depends_on_cuts);
                 }
             }

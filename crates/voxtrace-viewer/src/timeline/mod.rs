@@ -194,9 +194,11 @@ impl Timeline {
         self.playing.is_some()
     }
 
-    /// Whether the file moves more than the camera: objects, sun or sky.
+    /// Whether the file moves more than the camera: objects, sun or sky, or says how the scene's file plays.
     pub fn moves_more(&self) -> bool {
-        ["object", "sun", "sky"].iter().any(|key| self.others.contains_key(*key))
+        ["object", "sun", "sky", "animation", "animation_repeats", "key_fps"]
+            .iter()
+            .any(|key| self.others.contains_key(*key))
     }
 
     /// Changes what is edited; [`Self::undo`] takes it back.

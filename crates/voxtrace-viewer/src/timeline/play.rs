@@ -2,15 +2,14 @@
 
 use super::file::{Cameras, EASES};
 use super::{Course, Timeline, TimelineError};
+use crate::motion::Plays;
 use crate::session::Session;
 use crate::tr;
 use std::path::{Path, PathBuf};
+use toml::Value;
 use voxtrace::animation::Ease;
 use voxtrace::glam::DAffine3;
 use voxtrace::{Camera, scenes};
-
-/// Key frames of a file a second, about as MagicaVoxel plays them.
-const KEY_FPS: f64 = 10.0;
 
 impl Timeline {
     /// The ways in which the camera speeds up and slows down, with their words in the file.
@@ -38,7 +37,7 @@ impl Session {
         }
         self.timeline.is_shown |= self.open.is_some();
         if !self.has_motion() && self.timeline.course.track().is_none() {
-            if !self.has_keyframes() {
+            if !self.has_something_to_play() {
                 return self.say(tr!("timeline.two_keys"), false);
             }
             // What moves is read first; it plays as soon as that is there.
@@ -52,9 +51,9 @@ impl Session {
         self.timeline.playing = Some(self.timeline.course.time_of(frame));
     }
 
-    /// Whether keyframes are all that can move here, and are not read.
+    /// Whether what the file brings along is all that can move here, and is not read.
     fn lacks_motion(&self) -> bool {
-        self.has_keyframes() && !self.has_motion() && self.timeline.course.track().is_none()
+        self.has_something_to_play() && !self.has_motion() && self.timeline.course.track().is_none()
     }
 
     /// A reading is over, or was stopped: what waited for it plays, or does not where it brought nothing that moves.
@@ -276,6 +275,10 @@ impl Session {
                 return None;
             }
         }
+        // Shapes of what bends are those that are seen.
+        if let Some(rate) = self.shape_rate() {
+            self.timeline.others.entry("key_fps").or_insert(Value::Float(rate));
+        }
         let still = self.has_motion().then(|| self.navigator.camera().clone());
         match self.timeline.save(&path, &source, still) {
             Ok(()) => Some(path),
@@ -297,16 +300,23 @@ impl Session {
         past.iter_mut().chain([course]).for_each(|course| course.transform(new_from_old));
     }
 
-    /// A scene with keyframes begins at its first frame, with a clip as long as they last.
-    pub(crate) fn begin_motion(&mut self, keyframes: u32) {
-        if keyframes > 0 && self.timeline.path.is_none() && !self.timeline.can_undo() {
-            let course = &mut self.timeline.course;
-            (course.fps, course.seconds) = (KEY_FPS, f64::from(keyframes) / KEY_FPS);
-        }
-        if keyframes > 0 && !self.has_motion() {
-            // Most of them are loops: a walk, a flame.
-            self.timeline.repeats = true;
-            self.say(tr!("timeline.keyframes", keyframes = keyframes), false);
+    /// A scene whose file has something to play begins at its first frame, with a clip as long as that lasts.
+    pub(crate) fn begin_motion(&mut self, plays: Plays) {
+        if let Some((fps, seconds)) = plays.course() {
+            if self.timeline.path.is_none() && !self.timeline.can_undo() {
+                (self.timeline.course.fps, self.timeline.course.seconds) = (fps, seconds);
+            }
+            if !self.has_motion() {
+                // Most of them are loops: a walk, a flame.
+                self.timeline.repeats = true;
+                self.say(
+                    match plays {
+                        Plays::Keyframes(frames) => tr!("timeline.keyframes", keyframes = frames),
+                        _ => tr!("timeline.animation", seconds = format!("{seconds:.1}")),
+                    },
+                    false,
+                );
+            }
         }
         if self.has_motion() {
             self.change_light();

@@ -16,7 +16,7 @@ use voxtrace_viewer::load::Loading;
 use voxtrace_viewer::navigation::Mode;
 use voxtrace_viewer::render_settings::RenderSettings;
 use voxtrace_viewer::session::{Command, Leaving, Session};
-use voxtrace_viewer::{Loader, Motion, Reading, Told, Wanted};
+use voxtrace_viewer::{Loader, Motion, Plays, Reading, Told, Wanted};
 
 const MIDDLE: Vec2 = Vec2::new(320.0, 240.0);
 
@@ -42,11 +42,11 @@ impl Loader for Words {
             "good.vxt" => Ok(PackedScene::clone(&packed())),
             "walk.vox" => {
                 let (base, animation) = (common::room(), voxtrace::animation::Animation::default());
-                tell(Told::Moves(Arc::new(Motion { base, animation, has_own_rate: false, keyframes: 3 })));
+                tell(Told::Moves(Arc::new(Motion { base, animation, has_own_rate: false, shape_rate: None })));
                 Ok(PackedScene::clone(&packed()))
             }
             "steps.vox" => {
-                tell(Told::Keyframes(3));
+                tell(Told::Plays(Plays::Keyframes(3)));
                 Ok(PackedScene::clone(&packed()))
             }
             "bad.vxt" => Err("bad.vxt: the file ends too early".into()),
