@@ -252,6 +252,23 @@ mod tests {
     }
 
     #[test]
+    fn a_toml_names_the_animation_that_plays_in_the_window() {
+        let loader: Arc<dyn Loader> = Arc::new(Words::parse_from(["view"]).view.into_loader());
+        let folder = tempfile::tempdir().unwrap();
+        let (path, toml) = (gltf(folder.path(), false), folder.path().join("named.toml"));
+        let open = |name: &str| {
+            let text = format!("scene = \"goer.gltf\"\nseconds = 0.5\nanimation = \"{name}\"\n");
+            std::fs::write(&toml, text).unwrap();
+            let mut session = opened(&loader, &path, Some(&toml));
+            let said: Vec<String> = session.messages().map(|message| message.text.clone()).collect();
+            (session.has_motion(), said.join("\n"))
+        };
+        assert!(open("go").0 && open("1").0);
+        let (has_motion, said) = open("walk");
+        assert!(!has_motion && said.contains("there is no animation \"walk\""), "{said}");
+    }
+
+    #[test]
     fn objects_and_sun_of_an_animation_play_in_the_window_as_animate_renders_them() {
         let folder = tempfile::tempdir().unwrap();
         voxtrace::export::vox::write(&folder.path().join("room.vox"), &scene(false)).unwrap();
