@@ -7107,7 +7107,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_at_rest_2 = (memory_3.looks_0) == 0.0f;
         }
-        Memory_add_0(&(memory_3), sample_24, real_time_0.most_paths_0);
+        var _S482 : f32;
+        if(memory_3.is_at_rest_0)
+        {
+            _S482 = max(real_time_0.most_paths_0, 256.0f);
+        }
+        else
+        {
+            _S482 = real_time_0.most_paths_0;
+        }
+        Memory_add_0(&(memory_3), sample_24, _S482);
         if(is_at_rest_2)
         {
             is_at_rest_2 = !shows_mover_0(sample_24);
@@ -7126,7 +7135,6 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_in_motion_0 = false;
         }
-        var _S482 : f32;
         if(is_in_motion_0)
         {
             _S482 = 4.0f;

@@ -39,6 +39,8 @@ pub(crate) const MOST_LOOKS: f32 = 16.0;
 pub const FRAMES_AT_A_CUT: u32 = 4;
 /// Paths that a pixel remembers while something moves, and while nothing does.
 pub(crate) const MOST_PATHS: [f32; 2] = [32.0, 1e6];
+/// The same of pixels that show nothing that moved, while something does.
+const MOST_PATHS_AT_REST: f32 = 256.0;
 
 /// What is used: all of it, but where one wants to know what a part is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -279,7 +281,6 @@ impl RealTime {
             };
             if !samples.traced(index) {
                 let is_lit = known.paths > 0.0;
-                // Where something moves those alone are at rest that keep what they know.
                 if (is_still || known.is_at_rest) && is_lit {
                     return known;
                 }
@@ -289,7 +290,8 @@ impl RealTime {
                 return known;
             }
             let is_at_rest = known.is_at_rest || known.looks == 0.0;
-            known.add(&sample, most);
+            // Where something moves those alone are at rest here that keep what they know.
+            known.add(&sample, if known.is_at_rest { most.max(MOST_PATHS_AT_REST) } else { most });
             known.is_at_rest = is_at_rest && !movers.are_in(&sample);
             // Rays that only look go between the path's and each other.
             let jitter = sampler(frame, self.number, index as u32).stratified(DIMENSION_CAMERA);

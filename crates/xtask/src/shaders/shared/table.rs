@@ -185,6 +185,7 @@ pub const TABLE: &[Source] = &[
             same("CACHE_SEED"),
             same("LEAST_LOOKS"),
             same("MOST_LOOKS"),
+            same("MOST_PATHS_AT_REST"),
         ],
     },
     Source {
