@@ -3039,9 +3039,10 @@ fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(0.25f * _S237 + _S238 + 0.25f * _S239, 0.5f * (_S237 - _S239), _S238 - 0.25f * (_S237 + _S239));
 }
 
-fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32,  is_kept_1 : bool) -> vec3<f32>
+fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
 {
-    var now_1 : vec3<f32> = color_in_0(u32(2), index_of_0(vec2<u32>(at_29))).xyz;
+    var index_39 : u32 = index_of_0(vec2<u32>(at_29));
+    var now_1 : vec3<f32> = color_in_0(u32(2), index_39).xyz;
     var _S240 : bool;
     if(word_6 == u32(0))
     {
@@ -3056,7 +3057,7 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32,  is_kept_1 : bool) -> vec3<f
         return now_1;
     }
     var history_0 : vec3<f32> = shown_in_0(word_6);
-    if(is_kept_1)
+    if(is_kept_0(index_39))
     {
         return history_0 + (now_1 - history_0) * vec3<f32>(0.5f);
     }
@@ -3131,19 +3132,19 @@ fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local
     var _S247 : vec2<i32> = vec2<i32>(_S246);
     if(is_inside_0(_S247))
     {
-        var index_39 : u32 = index_of_0(vec2<u32>(_S247));
+        var index_40 : u32 = index_of_0(vec2<u32>(_S247));
         var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            radiance_0 = antialiased_0(_S247, memory_row_0(u32(3), index_39).w, is_kept_0(index_39));
+            radiance_0 = antialiased_0(_S247, memory_row_0(u32(3), index_40).w);
         }
         else
         {
-            var memory_6 : Memory_0 = load_memory_0(index_39);
+            var memory_6 : Memory_0 = load_memory_0(index_40);
             radiance_0 = radiance_of_0(memory_6, Lit_irradiance_0(memory_6.lit_9));
         }
-        memory_rows_0[u32(3) * real_time_0.pixels_0 + index_39][i32(3)] = word_of_0(radiance_0);
-        picture_0[index_39] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((memory_row_0(u32(1), index_39).y) << (u32(16)))))));
+        memory_rows_0[u32(3) * real_time_0.pixels_0 + index_40][i32(3)] = word_of_0(radiance_0);
+        picture_0[index_40] = vec2<u32>(((half_of_0(radiance_0.x)) | ((((half_of_0(radiance_0.y)) << (u32(16)))))), ((half_of_0(radiance_0.z)) | ((((memory_row_0(u32(1), index_40).y) << (u32(16)))))));
     }
     if(thread_1 == u32(0))
     {

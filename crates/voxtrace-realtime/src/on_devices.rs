@@ -169,19 +169,20 @@ impl FramesOnDevice {
         self.parts.frames_of_picture(self.before.as_ref(), frame)
     }
 
-    /// What the steps of the next frame read. `in_waves`: whether paths of squares and cells have slots behind those of the pixels. `squares`: whether paths
+    /// What the steps of the next frame read: to be asked once a frame. `in_waves`: whether paths of squares and cells have slots behind those of the pixels. `squares`: whether paths
     /// without the cache are followed again, by which changes of light are noticed.
     pub fn params(
-        &self,
+        &mut self,
         scene: &PackedScene,
         frame: &Frame,
         rate: Rate,
         (in_waves, has_squares): (bool, bool),
     ) -> RealTimeParams {
         let parts = self.parts;
+        let stood = self.stood.as_deref().unwrap_or_default();
+        let is_same_view = self.before_of(frame).is_some_and(|before| before.camera == frame.camera);
+        self.movers = self.movers.after(moved(stood, scene.instances()), is_same_view && !self.is_edited);
         let before = self.before_of(frame);
-        let is_same_view = before.is_some_and(|before| before.camera == frame.camera);
-        let movers = self.movers_of(scene, frame);
         let is_still = is_same_view && !self.has_changed;
         let mut flags = 0;
         let mut flag = |is_set: bool, flag: u32| flags |= if is_set { flag } else { 0 };
@@ -193,7 +194,7 @@ impl FramesOnDevice {
         flag(is_same_view && self.stood.is_none(), flag::SAME_VIEW);
         flag(rate == Rate::Half, flag::HALF);
         flag(before.is_some() && self.has_changed && has_squares, flag::FINDS_AGAIN);
-        flag(movers.keep(), flag::KEEPS);
+        flag(self.movers.keep(), flag::KEEPS);
         let camera = before.map_or(&frame.camera, |before| &before.camera);
         let then = camera.frame(frame.width, frame.height);
         let (place_flags, before_origin, rows) = places_of(&then);
@@ -216,7 +217,7 @@ impl FramesOnDevice {
             before_lens_y: of_before.lens_y,
             cell_samples: self.cell_samples,
             before_place: camera.eye,
-            motions: movers.moved().len().min(scene.instances().len()) as u32,
+            motions: self.movers.moved().len().min(scene.instances().len()) as u32,
             before_rows: rows.map(|row| row.extend(0.0).to_array()),
             before_origin,
             pixels: frame.width * frame.height,
@@ -232,17 +233,18 @@ impl FramesOnDevice {
     }
 
     /// For each instance four rows: three of the affine map to the world at the last frame from the world now, and one whose first number is 1 where it has moved
-    /// since the camera stands; none where no instance has.
-    pub fn motions(&self, scene: &PackedScene, frame: &Frame) -> Vec<[f32; 4]> {
-        let before = |index: usize| self.stood.as_ref().and_then(|stood| stood.get(index)).map(|at| at.world_from_grid);
-        let rows = |((index, now), has_moved): ((usize, &PackedInstance), &bool)| {
-            let before = before(index).filter(|before| *before != now.world_from_grid);
-            let then = before.map_or(Transform::IDENTITY, |before| before.after(&now.grid_from_world));
+    /// since the camera stands. None where those of the frame before are as good: where nothing moves only that number is read.
+    pub fn motions(&self, scene: &PackedScene) -> Vec<[f32; 4]> {
+        let Some(stood) = &self.stood else { return Vec::new() };
+        let rows = |((stood, now), has_moved): ((&Stood, &PackedInstance), &bool)| {
+            let then = match stood.world_from_grid == now.world_from_grid {
+                true => Transform::IDENTITY,
+                false => stood.world_from_grid.after(&now.grid_from_world),
+            };
             let [x, y, z] = [0, 1, 2].map(|axis| then.linear.row(axis).extend(then.translation[axis]).to_array());
             [x, y, z, [f32::from(*has_moved), 0.0, 0.0, 0.0]]
         };
-        let movers = self.movers_of(scene, frame);
-        scene.instances().iter().enumerate().zip(movers.moved()).flat_map(rows).collect()
+        stood.iter().zip(scene.instances()).zip(self.movers.moved()).flat_map(rows).collect()
     }
 
     /// The frame before one of which something is known.
@@ -251,13 +253,6 @@ impl FramesOnDevice {
         let lens = |frame: &Frame| FrameParams::default().with_camera(&frame.camera.frame(1, 1)).lens;
         let is_known = |before: &&Frame| self.parts.memory && before.seed == frame.seed && lens(before) == lens(frame);
         self.before.as_ref().filter(is_known)
-    }
-
-    /// Those that have moved since the camera stands, with the next frame.
-    fn movers_of(&self, scene: &PackedScene, frame: &Frame) -> Movers {
-        let stood = self.stood.as_deref().unwrap_or_default();
-        let is_same_view = self.before_of(frame).is_some_and(|before| before.camera == frame.camera);
-        self.movers.after(moved(stood, scene.instances()), is_same_view && !self.is_edited)
     }
 
     /// Since when nothing moves, after the next frame.
@@ -269,9 +264,8 @@ impl FramesOnDevice {
     }
 
     /// Ends a frame.
-    pub fn end(&mut self, scene: &PackedScene, frame: &Frame) {
+    pub fn end(&mut self, frame: &Frame) {
         self.rest = self.rest_after(frame);
-        self.movers = self.movers_of(scene, frame);
         self.before = Some(frame.clone());
         (self.stood, self.has_changed, self.is_edited) = (None, false, false);
         self.cell_samples = f32::INFINITY;

@@ -15,7 +15,7 @@ use ash::vk;
 use gpu_allocator::MemoryLocation;
 use left::Left;
 use std::sync::Arc;
-use voxtrace_core::{Frame, PackedScene, TraceError};
+use voxtrace_core::{Frame, TraceError};
 use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, RealTimeParams, slots, squares};
 
 /// How many pixels trace a path in each frame of real-time light.
@@ -214,8 +214,10 @@ impl RealTime {
     pub fn write(&mut self, params: &RealTimeParams, motions: &[[f32; 4]]) -> Result<(), TraceError> {
         self.params.mapped_mut()[..size_of::<RealTimeParams>()].copy_from_slice(bytemuck::bytes_of(params));
         let bytes: &[u8] = bytemuck::cast_slice(motions);
-        if bytes.is_empty() {
+        if params.motions == 0 {
             self.motions = None;
+        }
+        if bytes.is_empty() {
             return Ok(());
         }
         if self.motions.as_ref().is_none_or(|buffer| buffer.size < bytes.len() as u64) {
@@ -346,8 +348,8 @@ impl RealTime {
     }
 
     /// Ends a frame.
-    pub fn end(&mut self, scene: &PackedScene, frame: &Frame) {
-        self.frames.end(scene, frame);
+    pub fn end(&mut self, frame: &Frame) {
+        self.frames.end(frame);
         self.is_new = false;
     }
 }

@@ -162,7 +162,7 @@ impl GpuScene {
             frames.extend_from_slice(cast_slice(bytes_of(&of_frame)));
             reprojects.push(u8::from(of_frame.flags & (flag::KNOWS | flag::SAME_VIEW) == flag::KNOWS));
             looks.extend(<[u32; 2]>::from(looks_of(&of_frame)));
-            self.frames.end(&self.scene, &frame);
+            self.frames.end(&frame);
         }
         Ok(GpuRealTime {
             frame: frame_words(&params),

@@ -83,7 +83,7 @@ impl Worker {
             if result.is_err() {
                 break;
             }
-            state.end(&scene, frame);
+            state.end(frame);
         }
         self.stop_showing();
         if result.is_ok() {
@@ -130,7 +130,7 @@ impl Worker {
         let only_waves = in_waves && (leaves || !tracing.has_materials);
         let steps = steps_of(&of_frame, rate, size, only_waves, state.left.rounds());
         let variants = self.prepare_real_time(tracing, &steps)?;
-        let motions = state.frames.motions(scene, frame);
+        let motions = state.frames.motions(scene);
         state.write(&of_frame, &motions)?;
         self.set_params(&params);
         state.bind(&self.bindings, &self.nothing);
