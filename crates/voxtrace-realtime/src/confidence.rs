@@ -63,7 +63,7 @@ impl Found {
             let x = (column * STRIDE + dx % STRIDE).min(size[0] - 1);
             let y = (row * STRIDE + dy % STRIDE).min(size[1] - 1);
             let sampler = Sampler { seed: frame.seed ^ SEED, pixel: y * size[0] + x, sample: number };
-            let sample = view.sample(x, y, sampler, &mut Vec::new());
+            let sample = view.sample(x, y, sampler, false, &mut Vec::new());
             sample.shown.map_or((0.0, Vec3::ZERO), |shown| {
                 (luminance(sample.light) / (luminance(sample.albedo) + LEAST_ALBEDO), shown.place)
             })

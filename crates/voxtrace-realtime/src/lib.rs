@@ -34,6 +34,7 @@ mod on_devices;
 mod path;
 mod real_time;
 mod reprojection;
+mod visibility;
 
 pub use filter::filter;
 pub use half_rate::Rate;
@@ -41,6 +42,7 @@ pub use light_cache::{Key, LightCache, Request};
 pub use memory::Memory;
 pub use path::{Sample, Shown, View};
 pub use real_time::{Parts, RealTime};
+pub use visibility::Visibility;
 
 // For what makes the same pictures on devices: not covered by semantic versioning.
 #[doc(hidden)]

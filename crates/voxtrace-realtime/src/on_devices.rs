@@ -6,7 +6,7 @@ use crate::confidence::STRIDE;
 use crate::half_rate::Rate;
 use crate::light_cache::LightCache;
 use crate::movers::{Movers, Stood, moved};
-use crate::real_time::{CANDIDATES, LEAST_LOOKS, MOST_LOOKS, MOST_PATHS, Parts, SAMPLES_WHILE_MOVING, view_angle};
+use crate::real_time::{LEAST_LOOKS, MOST_LOOKS, MOST_PATHS, Parts, SAMPLES_WHILE_MOVING, view_angle};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat3, Vec3};
 use voxtrace_core::Frame;
@@ -102,6 +102,8 @@ pub mod flag {
     pub const LEAVES: u32 = 1024;
     /// Pixels that show nothing that has moved keep what they know.
     pub const KEEPS: u32 = 2048;
+    /// Candidates are weighed by how often rays to lights arrive.
+    pub const VISIBILITY: u32 = 4096;
 }
 
 /// What a host keeps from frame to frame.
@@ -189,6 +191,7 @@ impl FramesOnDevice {
         flag(parts.cache, flag::CACHE);
         flag(parts.filter, flag::FILTER);
         flag(parts.candidates, flag::LOOKS);
+        flag(parts.weigh(), flag::VISIBILITY);
         flag(before.is_some(), flag::KNOWS);
         flag(is_still, flag::STILL);
         flag(is_same_view && self.stood.is_none(), flag::SAME_VIEW);
@@ -207,7 +210,7 @@ impl FramesOnDevice {
             before_eye: of_before.eye,
             number: self.number,
             before_corner: of_before.corner,
-            candidates: if parts.candidates { CANDIDATES } else { 1 },
+            candidates: parts.candidates(),
             before_pixel_x: of_before.pixel_x,
             flags: flags | place_flags,
             before_pixel_y: of_before.pixel_y,

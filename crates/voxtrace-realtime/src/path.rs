@@ -3,6 +3,7 @@
 
 use crate::light_cache::{LightCache, Request};
 use crate::memory::in_ten_bits;
+use crate::visibility::Visibility;
 use glam::Vec3;
 use voxtrace_core::cuts;
 use voxtrace_core::integrator::path::{self, Arrival, Limits};
@@ -11,7 +12,7 @@ use voxtrace_core::integrator::{DIMENSION_CAMERA, Path, ShadowRay, cast_in_mediu
 use voxtrace_core::light::{BELOW_ONE, Lights};
 use voxtrace_core::math::luminance;
 use voxtrace_core::medium::{MAX_BOUNDARIES, Transit};
-use voxtrace_core::packed::PackedScene;
+use voxtrace_core::packed::{PackedMaterial, PackedScene};
 use voxtrace_core::sampler::Sampler;
 use voxtrace_core::walk;
 use voxtrace_scene::camera::CameraFrame;
@@ -45,6 +46,8 @@ pub struct View<'a> {
     pub candidates: u32,
     /// Light on faces, where it is used.
     pub cache: Option<&'a LightCache>,
+    /// How often rays to lights arrive, where that weighs candidates.
+    pub visibility: Option<&'a Visibility>,
     /// [`Request::scramble_of`] of the frame.
     pub scramble: u32,
 }
@@ -84,19 +87,38 @@ impl Sample {
     }
 }
 
+/// How a surface chooses a light.
+#[derive(Clone, Copy)]
+pub(crate) struct Choosing {
+    /// Of so many candidates.
+    pub candidates: u32,
+    /// Whether these are weighed by how often rays like theirs arrive.
+    pub weighs: bool,
+    /// Whether it is counted if the chosen one arrives.
+    pub learns: bool,
+}
+
+impl Choosing {
+    /// None.
+    const NOTHING: Self = Self { candidates: 0, ..Self::ANY };
+    /// The first that comes.
+    pub const ANY: Self = Self { candidates: 1, weighs: false, learns: false };
+}
+
 impl View<'_> {
-    /// Follows the path of a pixel. `requests` gets the cells of the light cache that it asked for.
-    pub fn sample(&self, x: u32, y: u32, sampler: Sampler, requests: &mut Vec<Request>) -> Sample {
+    /// Follows the path of a pixel, which counts whether its ray to a light arrives where it `learns`. `requests` gets the cells of the light cache that it asked for.
+    pub fn sample(&self, x: u32, y: u32, sampler: Sampler, learns: bool, requests: &mut Vec<Request>) -> Sample {
         let mut sample = Sample::default();
         let numbers = (sampler, sampler.stratified(DIMENSION_CAMERA));
-        let Some((mut path, mut ray)) = self.see((x, y), numbers, self.candidates, &mut sample) else { return sample };
+        let choosing = Choosing { candidates: self.candidates, weighs: true, learns };
+        let Some((mut path, mut ray)) = self.see((x, y), numbers, choosing, &mut sample) else { return sample };
         loop {
             let hit = self.cast(&path, &ray);
             if let Some(light) = self.cached(&path, &ray, &hit, u32::MAX, requests) {
                 sample.light += light + self.emitted(&path, &ray, &hit);
                 return sample;
             }
-            let next = self.advance(&mut path, (&ray, &hit), 1, &mut sample.light);
+            let next = self.advance(&mut path, (&ray, &hit), &mut sample.light);
             let Some(next) = next else { return sample };
             ray = next;
         }
@@ -105,7 +127,7 @@ impl View<'_> {
     /// What a pixel shows, by a ray of the camera that its four numbers `jitter` choose: as [`Self::sample`], without the light that falls there.
     pub fn look(&self, x: u32, y: u32, sampler: Sampler, jitter: [f32; 4]) -> Sample {
         let mut sample = Sample::default();
-        self.see((x, y), (sampler, jitter), 0, &mut sample);
+        self.see((x, y), (sampler, jitter), Choosing::NOTHING, &mut sample);
         sample
     }
 
@@ -114,7 +136,7 @@ impl View<'_> {
         &self,
         (x, y): (u32, u32),
         (sampler, jitter): (Sampler, [f32; 4]),
-        candidates: u32,
+        choosing: Choosing,
         sample: &mut Sample,
     ) -> Option<(Path, Ray)> {
         let (mut path, camera_ray) = Path::from_camera(&self.camera, x, y, sampler, jitter);
@@ -126,7 +148,7 @@ impl View<'_> {
             let hit = self.cast(&path, &ray);
             let (mut arrived, mut light) = (path, Vec3::ZERO);
             let mut direct = Vec3::ZERO;
-            let next = self.advance_apart(&mut path, (&ray, &hit), candidates, &mut direct, &mut light);
+            let next = self.advance_apart(&mut path, (&ray, &hit), choosing, &mut direct, &mut light);
             sample.direct += direct;
             sample.light += light;
             if path.scattered == 0
@@ -163,10 +185,10 @@ impl View<'_> {
         }
     }
 
-    /// Takes a path one bounce further, as the integrator does; `light` gets what arrives. The light that is asked is one of `candidates`.
-    pub fn advance(&self, path: &mut Path, at: (&Ray, &Hit), candidates: u32, light: &mut Vec3) -> Option<Ray> {
+    /// Takes a path one bounce further, as the integrator does; `light` gets what arrives.
+    pub fn advance(&self, path: &mut Path, at: (&Ray, &Hit), light: &mut Vec3) -> Option<Ray> {
         let (mut emitted, mut chosen) = (Vec3::ZERO, Vec3::ZERO);
-        let next = self.advance_apart(path, at, candidates, &mut emitted, &mut chosen);
+        let next = self.advance_apart(path, at, Choosing::ANY, &mut emitted, &mut chosen);
         *light += emitted;
         *light += chosen;
         next
@@ -177,7 +199,7 @@ impl View<'_> {
         &self,
         path: &mut Path,
         (ray, hit): (&Ray, &Hit),
-        candidates: u32,
+        choosing: Choosing,
         emitted: &mut Vec3,
         light: &mut Vec3,
     ) -> Option<Ray> {
@@ -195,16 +217,30 @@ impl View<'_> {
             Arrival::End => None,
             Arrival::Pass(next) => Some(next),
             Arrival::Scatter(scatter) => {
+                let candidates = if scatter.wants_light { choosing.candidates } else { 0 };
+                let visibility = self.visibility.filter(|_| choosing.weighs && candidates > 1);
                 let mut choice = Choice::default();
-                for candidate in 0..if scatter.wants_light { candidates } else { 0 } {
+                for candidate in 0..candidates {
                     let (u, v) = self.candidate(path, candidate, candidates);
-                    let chosen = self.lights.sample(scatter.receiver(), u);
+                    let found = self.lights.sample(scatter.receiver(), u);
                     let shadow_ray =
-                        chosen.and_then(|chosen| path::shadow_ray(scene, &self.limits, path, &scatter, &chosen));
-                    choice.add(shadow_ray, v);
+                        found.and_then(|found| path::shadow_ray(scene, &self.limits, path, &scatter, &found));
+                    let weight = visibility.zip(shadow_ray.as_ref()).map_or(1.0, |(visibility, shadow_ray)| {
+                        visibility.weight(Visibility::place(&shadow_ray.ray, self.eye, self.view_angle))
+                    });
+                    choice.add(shadow_ray, weight, v);
                 }
                 if let Some(shadow_ray) = choice.chosen() {
-                    *light += self.arriving(&shadow_ray);
+                    let (arriving, has_arrived) = self.arriving(&shadow_ray);
+                    *light += arriving;
+                    // Of surfaces that are seen directly and matte alone, as waves on devices know no others.
+                    if let Some(has_arrived) = has_arrived
+                        && let Some(visibility) = visibility.filter(|_| choosing.learns && path.event == 0)
+                        && !hit.is_miss()
+                        && is_matte(&scene.materials()[material as usize])
+                    {
+                        visibility.count(Visibility::place(&shadow_ray.ray, self.eye, self.view_angle), has_arrived);
+                    }
                 }
                 path::leave(scene, &self.limits, path, (ray, hit), &scatter)
             }
@@ -270,28 +306,43 @@ impl View<'_> {
         light
     }
 
-    /// What arrives along a ray to a light.
-    pub(crate) fn arriving(&self, shadow_ray: &ShadowRay) -> Vec3 {
+    /// Whether light may pass straight through what a ray to a light met.
+    fn lets_light_pass(&self, hit: &Hit) -> bool {
+        let material = &self.scene.materials()[self.scene.packed_material_index(hit) as usize];
+        material.transmission > 0.0 && (material.ior == 1.0 || self.limits.clear_shadows)
+    }
+
+    /// What arrives along a ray to a light, and whether it meets nothing, unless what it meets first lets light pass.
+    pub(crate) fn arriving(&self, shadow_ray: &ShadowRay) -> (Vec3, Option<bool>) {
         let ShadowRay { ray, inside, is_clipped, radiance } = *shadow_ray;
         if !self.has_media {
             let is_blocked = match self.scene.cuts.is_none() {
                 true => walk::occluded(self.scene, &ray),
                 false => !cuts::cast(self.scene, &ray, is_clipped).is_miss(),
             };
-            return if is_blocked { Vec3::ZERO } else { radiance };
+            return (if is_blocked { Vec3::ZERO } else { radiance }, Some(!is_blocked));
         }
         let mut transit = Transit { ray, inside, light: radiance, is_clipped };
-        for _ in 0..MAX_BOUNDARIES {
+        let mut has_arrived = None;
+        for boundary in 0..MAX_BOUNDARIES {
             let hit = match &transit.inside {
                 Some(inside) => cuts::cast_inside(self.scene, &transit.ray, inside, is_clipped),
                 None => cuts::cast(self.scene, &transit.ray, is_clipped),
             };
+            if boundary == 0 && inside.is_none() && (hit.is_miss() || !self.lets_light_pass(&hit)) {
+                has_arrived = Some(hit.is_miss());
+            }
             if !transit.advance(self.scene, &hit, self.limits.clear_shadows) {
-                return transit.light;
+                return (transit.light, has_arrived);
             }
         }
-        Vec3::ZERO
+        (Vec3::ZERO, has_arrived)
     }
+}
+
+/// Whether a material is matte alone.
+fn is_matte(material: &PackedMaterial) -> bool {
+    material.transmission <= 0.0 && material.metallic <= 0.0 && material.specular <= 0.0
 }
 
 /// One of several candidates, chosen by what it would give were nothing in its way, and made to stand for all (Talbot, Cline, Egbert, "Importance Resampling
@@ -304,11 +355,11 @@ pub(crate) struct Choice {
 }
 
 impl Choice {
-    /// Another candidate, `None` where no light was found; `u`, uniform in [0, 1), chooses between it and those before.
-    pub fn add(&mut self, shadow_ray: Option<ShadowRay>, u: f32) {
+    /// Another candidate, `None` where no light was found, which counts `times` what it would give; `u`, uniform in [0, 1), chooses between it and those before.
+    pub fn add(&mut self, shadow_ray: Option<ShadowRay>, times: f32, u: f32) {
         self.candidates += 1;
         let Some(shadow_ray) = shadow_ray else { return };
-        let weight = luminance(shadow_ray.radiance);
+        let weight = luminance(shadow_ray.radiance) * times;
         self.sum += weight;
         if u * self.sum < weight {
             self.chosen = Some((shadow_ray, weight));

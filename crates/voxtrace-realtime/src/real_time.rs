@@ -9,6 +9,7 @@ use crate::memory::Memory;
 use crate::movers::{Movers, Stood, moved};
 use crate::path::{Sample, View};
 use crate::reprojection::{Before, is_cut};
+use crate::visibility::Visibility;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use voxtrace_core::Frame;
@@ -29,8 +30,8 @@ const LOOK_SEED: u32 = 0x85eb_ca6b;
 const CACHE_SEED: u32 = 0x5bd1_e995;
 /// Samples that cells of the light cache remember while things move.
 pub(crate) const SAMPLES_WHILE_MOVING: f32 = 8.0;
-/// Lights of which a surface chooses one.
-pub(crate) const CANDIDATES: u32 = 8;
+/// Lights of which a surface chooses one, and where it is known how often they are seen.
+pub(crate) const CANDIDATES: [u32; 2] = [8, 4];
 /// Rays of the camera that a pixel has seen at least since the view moved: those beyond its paths find no light.
 pub(crate) const LEAST_LOOKS: f32 = 4.0;
 /// The same where they do not see the same, while nothing moves.
@@ -53,15 +54,29 @@ pub struct Parts {
     pub filter: bool,
     /// More than one candidate for the first light, and rays that only look.
     pub candidates: bool,
+    /// How often rays to lights arrive, which the steps of the light cache keep; with it there are fewer candidates.
+    pub visibility: bool,
     /// The paths of several frames in the first picture of a view.
     pub cuts: bool,
 }
 
 impl Parts {
     /// All.
-    pub const ALL: Self = Self { memory: true, cache: true, filter: true, candidates: true, cuts: true };
+    pub const ALL: Self =
+        Self { memory: true, cache: true, filter: true, candidates: true, visibility: true, cuts: true };
     /// One path a pixel, as the integrator's.
-    pub const NONE: Self = Self { memory: false, cache: false, filter: false, candidates: false, cuts: false };
+    pub const NONE: Self =
+        Self { memory: false, cache: false, filter: false, candidates: false, visibility: false, cuts: false };
+
+    /// Whether candidates are weighed by how often rays to lights arrive.
+    pub(crate) fn weigh(self) -> bool {
+        self.candidates && self.cache && self.visibility
+    }
+
+    /// Lights of which a surface chooses one.
+    pub(crate) fn candidates(self) -> u32 {
+        if self.candidates { CANDIDATES[usize::from(self.weigh())] } else { 1 }
+    }
 }
 
 impl Parts {
@@ -78,6 +93,7 @@ pub struct RealTime {
     parts: Parts,
     rate: Rate,
     cache: LightCache,
+    visibility: Visibility,
     memory: Vec<Memory>,
     /// What the paths of the last frame found.
     samples: Vec<Sample>,
@@ -114,6 +130,7 @@ impl RealTime {
             parts,
             rate: Rate::Full,
             cache,
+            visibility: Visibility::default(),
             memory: Vec::new(),
             samples: Vec::new(),
             before: None,
@@ -200,8 +217,11 @@ impl RealTime {
         let (samples, asked) = self.trace(&view, frame);
         requests.extend(asked);
         let (memory, rest, movers) = self.remember(&view, frame, &samples);
-        let found = Found::of(&View { cache: None, ..view }, frame, self.number);
+        let found = Found::of(&View { cache: None, visibility: None, ..view }, frame, self.number);
         let scramble = view.scramble;
+        if self.parts.weigh() {
+            self.visibility.update();
+        }
         self.cache.insert(&requests);
         self.cache.update(&light, scramble);
         let camera = frame.camera.frame(width, height);
@@ -220,8 +240,9 @@ impl RealTime {
             eye: frame.camera.eye,
             view_angle: view_angle(&frame.camera),
             has_media: scene.has_media(),
-            candidates: if self.parts.candidates { CANDIDATES } else { 1 },
+            candidates: self.parts.candidates(),
             cache: self.parts.cache.then_some(&self.cache),
+            visibility: self.parts.weigh().then_some(&self.visibility),
             scramble: Request::scramble_of(self.number),
         }
     }
@@ -230,11 +251,15 @@ impl RealTime {
     fn trace(&self, view: &View, frame: &Frame) -> (Vec<Sample>, Vec<Request>) {
         let row = |y: u32| {
             let mut requests = Vec::new();
-            let pixel = |x: u32| match self.rate.traces(x, y, self.number) {
-                true => view.sample(x, y, sampler(frame, self.number, y * frame.width + x), &mut requests),
-                false => Sample::default(),
+            let mut pixel = |x: u32| {
+                if !self.rate.traces(x, y, self.number) {
+                    return Sample::default();
+                }
+                let index = y * frame.width + x;
+                let learns = Visibility::learns(index, frame.width * frame.height, self.number);
+                view.sample(x, y, sampler(frame, self.number, index), learns, &mut requests)
             };
-            let samples: Vec<Sample> = (0..frame.width).map(pixel).collect();
+            let samples: Vec<Sample> = (0..frame.width).map(&mut pixel).collect();
             (samples, requests)
         };
         let (samples, requests): (Vec<_>, Vec<_>) = (0..frame.height).into_par_iter().map(row).unzip();
@@ -313,7 +338,7 @@ impl RealTime {
 
     /// What was known of each pixel of the frame before, less where light changed.
     fn doubted(&self, view: &View, before: &FrameBefore) -> Vec<Memory> {
-        let then = View { camera: before.camera, eye: before.frame.camera.eye, cache: None, ..*view };
+        let then = View { camera: before.camera, eye: before.frame.camera.eye, cache: None, visibility: None, ..*view };
         let now = Found::of(&then, &before.frame, self.number.wrapping_sub(1));
         let changed = before.found.changes(&now, &then);
         let doubt = |(memory, change): (&Memory, Change)| {

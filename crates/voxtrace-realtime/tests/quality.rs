@@ -48,6 +48,35 @@ fn room_with(cubes: usize) -> Scene {
     scene
 }
 
+/// A floor of 48 × 48 voxels with a small lamp above it, and beside it a closed box with a lamp that would send a hundred times as much.
+fn hidden_lamp() -> PackedScene {
+    let mut grid = VoxelGrid::default();
+    for x in 0..48 {
+        for y in 0..48 {
+            for z in 0..24 {
+                let at = IVec3::new(x, y, z);
+                let within = |low: IVec3, high: IVec3| at.cmpge(low).all() && at.cmplt(high).all();
+                let is_shell = within(IVec3::new(30, 28, 4), IVec3::new(44, 42, 18))
+                    && !within(IVec3::new(31, 29, 5), IVec3::new(43, 41, 17));
+                let material = match () {
+                    () if within(IVec3::new(35, 33, 9), IVec3::new(39, 37, 13)) => 2,
+                    () if within(IVec3::new(12, 24, 20), IVec3::new(14, 26, 21)) => 1,
+                    () if z == 0 || is_shell => 0,
+                    () => continue,
+                };
+                grid.set(at, material);
+            }
+        }
+    }
+    let mut scene = Scene::new("a hidden lamp");
+    let matte = Material { base_color: Vec3::splat(0.6), ..Material::default() };
+    scene.materials = vec![matte, Material { emission: Vec3::splat(30.0), ..matte }];
+    scene.materials.push(Material { emission: Vec3::splat(150.0), ..matte });
+    scene.grids.push(grid.into());
+    scene.instances.push(Instance::new(0, Transform::IDENTITY));
+    PackedScene::pack(&scene).unwrap()
+}
+
 /// The scene with some instances a step to the right.
 fn step(scene: &PackedScene, moved: impl Fn(usize) -> bool) -> PackedScene {
     let place = |(index, instance): (usize, &PackedInstance)| {
@@ -107,10 +136,23 @@ fn pictures_are_nearer_to_the_truth_than_samples_alone_from_the_first_frame_on()
 }
 
 #[test]
+fn lights_that_nobody_sees_are_asked_less_often_and_light_stays_as_it_is() {
+    let (scene, frame) = (hidden_lamp(), Frame::new(frame().camera, 96, 54));
+    let truth = film(&scene, &frame, 1024);
+    let parts = |visibility| Parts { memory: true, cache: true, candidates: true, visibility, ..Parts::NONE };
+    let [with, without] = [true, false].map(|visibility| pictures(parts(visibility), &scene, &frame, 48).remove(47));
+    let [of_both, of_all] = [&with, &without].map(|picture| difference(&truth, picture));
+    // Half as many candidates.
+    assert!(of_both < 0.8 * of_all, "{of_both} of {of_all}");
+    let ratio = energy(&with) / energy(&truth);
+    assert!((0.98..1.02).contains(&ratio), "{ratio}");
+}
+
+#[test]
 fn the_light_cache_neither_makes_nor_loses_light() {
     let (scene, frame) = (room(), frame());
     let truth = energy(&film(&scene, &frame, 256));
-    let parts = Parts { memory: true, cache: true, candidates: true, ..Parts::NONE };
+    let parts = Parts { memory: true, cache: true, candidates: true, visibility: true, ..Parts::NONE };
     let all = pictures(parts, &scene, &frame, 32);
     let ratio = energy(&all[31]) / truth;
     assert!((0.98..1.02).contains(&ratio), "{ratio}");

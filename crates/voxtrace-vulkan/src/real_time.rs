@@ -16,7 +16,7 @@ use gpu_allocator::MemoryLocation;
 use left::Left;
 use std::sync::Arc;
 use voxtrace_core::{Frame, TraceError};
-use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, RealTimeParams, slots, squares};
+use voxtrace_realtime::{FramesOnDevice, LightCache, Parts, RealTimeParams, Visibility, slots, squares};
 
 /// How many pixels trace a path in each frame of real-time light.
 pub use voxtrace_realtime::Rate;
@@ -28,7 +28,7 @@ const SCRATCH_WORDS: u64 = 20;
 const REST: u64 = 4;
 /// Lists of rows of squares of pixels, after the pixels.
 const SQUARE_LISTS: u64 = 4;
-/// Words of the counts before the keys of cells, and lists of words behind them.
+/// Words of the counts before the keys of cells, and lists of words behind them, which how often rays to lights arrive follows.
 const CELL_COUNTS: u64 = 16;
 const CELL_LISTS: u64 = 3;
 /// Words of the rows of a cell.
@@ -119,7 +119,7 @@ impl RealTime {
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST
             | vk::BufferUsageFlags::INDIRECT_BUFFER;
-        let size = 4 * (CELL_COUNTS + CELL_LISTS * cells);
+        let size = 4 * (CELL_COUNTS + CELL_LISTS * cells + 2 * Visibility::PLACES as u64);
         let cell_keys = Buffer::new(device, "light cache", size, usage, MemoryLocation::GpuOnly)?;
         let cell_rows = Buffer::storage(device, "light cache", 4 * CELL_WORDS * cells)?;
         let usage = vk::BufferUsageFlags::UNIFORM_BUFFER;

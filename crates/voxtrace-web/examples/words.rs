@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let (width, height) = size_of_picture(size)?;
             let scene = PackedScene::from_bytes(&fs::read(scene)?)?;
             let tone = ToneBytes::new(ToneMap { operator: Operator::Agx, exposure: 0.0 });
-            let mut real_time = RealTime::new(Parts::ALL);
+            let mut real_time = RealTime::new(Parts { visibility: false, ..Parts::ALL });
             let mut bytes = Vec::new();
             for camera in cameras {
                 let frame = Frame::new(camera_of(camera)?, width, height).seed(seed.parse()?);

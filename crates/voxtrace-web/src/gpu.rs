@@ -17,6 +17,9 @@ const ROW: usize = 4;
 /// Rows before the first array: where each of the seven begins.
 const HEADER: usize = 2;
 
+/// What real-time light does in pages: all but what their shaders have no room for.
+const PARTS: Parts = Parts { visibility: false, ..Parts::ALL };
+
 /// A scene that devices trace.
 #[wasm_bindgen]
 pub struct GpuScene {
@@ -178,7 +181,7 @@ impl GpuScene {
 
 impl GpuScene {
     fn of(scene: PackedScene) -> Self {
-        Self { scene, frames: FramesOnDevice::new(Parts::ALL), size: (0, 0) }
+        Self { scene, frames: FramesOnDevice::new(PARTS), size: (0, 0) }
     }
 }
 

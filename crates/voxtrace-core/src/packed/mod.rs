@@ -419,7 +419,8 @@ impl PackedScene {
     }
 
     /// As [`Self::material_index`], of a hit as tracers find it.
-    pub(crate) fn packed_material_index(&self, hit: &Hit) -> u32 {
+    #[doc(hidden)]
+    pub fn packed_material_index(&self, hit: &Hit) -> u32 {
         let grid = &self.geometry.grids[self.placement.instances[hit.instance as usize].grid as usize];
         self.geometry.material_at(grid, hit.voxel).expect("a hit's voxel is occupied")
     }

@@ -70,9 +70,9 @@ impl Cell {
         let mut choice = Choice::default();
         for candidate in 0..view.candidates {
             let (u, v) = view.candidate(&path, candidate, view.candidates);
-            choice.add(view.lights.sample(&receiver, u).map(|light| lit(&light)), v);
+            choice.add(view.lights.sample(&receiver, u).map(|light| lit(&light)), 1.0, v);
         }
-        let mut light = choice.chosen().map_or(Vec3::ZERO, |shadow_ray| view.arriving(&shadow_ray));
+        let mut light = choice.chosen().map_or(Vec3::ZERO, |shadow_ray| view.arriving(&shadow_ray).0);
         (path.normal, path.pdf) = (normal, local.z * FRAC_1_PI);
         // It stands for a path that was scattered by a surface before: what it finds is indirect light for whoever asks.
         (path.bounce, path.event, path.scattered) = (1, 1, 1);
@@ -81,7 +81,7 @@ impl Cell {
             if let Some(cached) = view.cached(&path, &ray, &hit, self.life.saturating_sub(1), requests) {
                 return light + (cached + view.emitted(&path, &ray, &hit));
             }
-            let Some(next) = view.advance(&mut path, (&ray, &hit), 1, &mut light) else { return light };
+            let Some(next) = view.advance(&mut path, (&ray, &hit), &mut light) else { return light };
             ray = next;
         }
     }

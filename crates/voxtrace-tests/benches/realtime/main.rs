@@ -73,7 +73,7 @@ fn parts(name: &str) -> Outcome<Parts> {
     Ok(match name {
         "raw" => Parts::NONE,
         "temporal" => memory,
-        "cache" => Parts { cache: true, candidates: true, ..memory },
+        "cache" => Parts { cache: true, candidates: true, visibility: true, ..memory },
         "filter" => Parts { filter: true, ..memory },
         "all" => Parts::ALL,
         _ => return Err(format!("no parts {name:?}: raw, temporal, cache, filter, all").into()),

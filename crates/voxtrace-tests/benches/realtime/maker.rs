@@ -61,7 +61,7 @@ impl OnDevice {
     }
 
     /// Follows what happens.
-    fn follow(&mut self, step: &Step) -> Outcome<()> {
+    pub fn follow(&mut self, step: &Step) -> Outcome<()> {
         match (&step.patch, &step.moved_from) {
             (Some(patch), _) => self.tracer.patch(patch)?,
             (None, Some(_)) => self.tracer.set_placement(step.scene.placement())?,

@@ -1,7 +1,8 @@
-//! How long the steps of real-time light take on a device: at the first frame, while nothing moves, along a way of the camera, and at half the rate.
+//! How long the steps of real-time light take on a device: at the first frame, while nothing moves, along a way of the camera, at half the rate, and where
+//! instances move before a camera that stands.
 
 use super::maker::OnDevice;
-use super::situations::{on_the_way, size_of};
+use super::situations::{Situation, on_the_way, size_of};
 use super::{Args, Outcome, parts, scene_of};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -31,6 +32,7 @@ pub fn measure(args: &Args) -> Outcome<()> {
                 let way = |number: u32| moved(&scene, &frame, number);
                 line(&format!("moving{label}"), &frames(&mut device, &picture, rate, way)?);
             }
+            line("64 instances move", &where_instances_move(args, name, &mut device, &picture)?);
         }
     }
     Ok(())
@@ -58,8 +60,32 @@ fn frames(
     Ok(frames)
 }
 
+/// The frames in which the balls move that were added to the scene.
+fn where_instances_move(
+    args: &Args,
+    name: &str,
+    device: &mut OnDevice,
+    picture: &Picture,
+) -> Outcome<Vec<RealTimeFrame>> {
+    // The scenes that have balls already stay as they are.
+    if name.contains('+') {
+        return Ok(Vec::new());
+    }
+    let (scene, frame) = scene_of(args, name, Some(Situation::Moving))?;
+    let mut frames = Vec::new();
+    for step in Situation::Moving.steps(scene, &frame)?.unwrap_or_default().iter().take((BEFORE + FRAMES) as usize) {
+        device.follow(step)?;
+        let frame = device.tracer.show_real_time(&step.frame, Rate::Full, picture)?.ok_or("the device was lost")?;
+        frames.push(frame);
+    }
+    Ok(frames.split_off((BEFORE as usize).min(frames.len())))
+}
+
 /// Prints the means.
 fn print(name: &str, what: &str, parts: &str, frames: &[RealTimeFrame]) {
+    if frames.is_empty() {
+        return;
+    }
     let count = frames.len().max(1) as f64;
     let mut steps: BTreeMap<&str, f64> = BTreeMap::new();
     for (step, ms) in frames.iter().flat_map(|frame| &frame.passes) {

@@ -117,7 +117,7 @@ fn differing(ours: &[[f32; 12]], theirs: &[Sample]) -> usize {
 #[test]
 fn paths_of_real_time_light_have_the_bits_of_the_processor() {
     let Some(device) = device() else { return };
-    let all = Parts { candidates: true, cache: true, ..Parts::NONE };
+    let all = Parts { candidates: true, cache: true, visibility: true, ..Parts::NONE };
     for (name, scene, parts) in [
         ("matte, one grid", packed(true, false), Parts::NONE),
         ("matte, turned", packed(true, true), all),
@@ -144,7 +144,7 @@ fn paths_of_real_time_light_have_the_bits_of_the_processor() {
 #[test]
 fn paths_of_real_time_light_in_waves_have_the_bits_of_the_processor() {
     let Some(device) = device() else { return };
-    let parts = Parts { candidates: true, cache: true, ..Parts::NONE };
+    let parts = Parts { candidates: true, cache: true, visibility: true, ..Parts::NONE };
     // One tracer: a software device compiles its shaders for long.
     let mut both = Both::in_waves(&device, &packed(true, false), parts);
     for (max_bounces, frames) in [(5, 4), (1, 1), (0, 1), (5, 1)] {
@@ -175,7 +175,7 @@ fn assert_same_bits(both: &mut Both, what: &str) {
 #[test]
 fn paths_that_leave_the_waves_have_the_bits_of_the_processor() {
     let Some(device) = device() else { return };
-    let parts = Parts { candidates: true, cache: true, ..Parts::NONE };
+    let parts = Parts { candidates: true, cache: true, visibility: true, ..Parts::NONE };
     let mut both = Both::in_waves(&device, &packed(false, true), parts);
     for number in 0..4 {
         both.frame(&view());
@@ -219,7 +219,7 @@ fn more_paths_leave_the_waves_than_have_room_and_have_the_bits_of_the_processor(
     let Some(device) = device() else { return };
     let mut scene = things(false, true);
     scene.materials.iter_mut().for_each(|material| (material.transmission, material.ior) = (1.0, 1.5));
-    let parts = Parts { candidates: true, cache: true, ..Parts::NONE };
+    let parts = Parts { candidates: true, cache: true, visibility: true, ..Parts::NONE };
     let mut both = Both::in_waves(&device, &Arc::new(PackedScene::pack(&scene).unwrap()), parts);
     for number in 0..4 {
         let mut frame = view();

@@ -193,6 +193,19 @@ pub const TABLE: &[Source] = &[
         items: &[uniform("RealTimeParams"), named("flag", "REAL_TIME")],
     },
     Source {
+        file: "voxtrace-realtime/src/visibility.rs",
+        items: &[
+            named("Visibility::PLACES", "VISIBILITY_PLACES"),
+            named("WIDTH", "VISIBILITY_WIDTH"),
+            named("DIRECTIONS", "VISIBILITY_DIRECTIONS"),
+            named("DISTANT", "VISIBILITY_DISTANT"),
+            named("LARGEST", "VISIBILITY_LARGEST"),
+            named("MOST_CUBES", "VISIBILITY_MOST_CUBES"),
+            named("MOST_RAYS", "VISIBILITY_MOST_RAYS"),
+            named("MOST_LEARNING", "VISIBILITY_MOST_LEARNING"),
+        ],
+    },
+    Source {
         file: "voxtrace-realtime/src/memory.rs",
         items: &[
             same("LEAST_ALBEDO"),
