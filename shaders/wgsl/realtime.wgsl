@@ -107,13 +107,13 @@ struct EnvironmentTexel_std430_0
 
 @binding(2) @group(0) var<storage, read> brick_materials_0 : array<u32>;
 
+@binding(29) @group(0) var<storage, read> motions_1 : array<vec4<f32>>;
+
 @binding(26) @group(0) var<storage, read_write> scratch_0 : array<vec2<u32>>;
 
 @binding(25) @group(0) var<storage, read_write> memory_rows_0 : array<vec4<u32>>;
 
 @binding(30) @group(0) var<storage, read> rest_0 : array<u32>;
-
-@binding(29) @group(0) var<storage, read> motions_1 : array<vec4<f32>>;
 
 @id(6) override SKY_0 : u32 = u32(0);
 
@@ -3754,6 +3754,7 @@ struct Walker_0
      life_0 : u32,
      is_at_cell_0 : bool,
      counts_0 : bool,
+     sees_mover_0 : bool,
 };
 
 struct Sample_0
@@ -3766,6 +3767,20 @@ struct Sample_0
      place_3 : vec3<f32>,
      instance_8 : u32,
 };
+
+fn is_mover_0( instance_9 : u32) -> bool
+{
+    var _S245 : bool;
+    if(instance_9 < (real_time_0.motions_0))
+    {
+        _S245 = (motions_1[u32(4) * instance_9 + u32(3)].x) != 0.0f;
+    }
+    else
+    {
+        _S245 = false;
+    }
+    return _S245;
+}
 
 fn shading_normal_0( ray_11 : Ray_0,  hit_7 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
@@ -3789,53 +3804,89 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S245 : Path_0 = path_8;
+    var _S246 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S245.inside_0))
+    if(Inside_is_in_0(_S246.inside_0))
     {
-        absorb_0(&(_S245), _S245.inside_0, ray_12, hit_8.t_0);
+        absorb_0(&(_S246), _S246.inside_0, ray_12, hit_8.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S245, hit_8, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S246, hit_8, beyond_4);
     (*sample_9).normal_4 = in_ten_bits_0(shading_normal_0(ray_12, hit_8, material_12));
-    (*sample_9).albedo_0 = _S245.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S246.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S246 : bool = ((*this_26).path_7.bounce_0) == u32(0);
     var _S247 : bool;
-    if(goes_on_0)
+    if((*this_26).sees_mover_0)
     {
-        _S247 = _S246;
-    }
-    else
-    {
-        _S247 = false;
-    }
-    var _S248 : bool = !_S247;
-    (*this_26).has_shown_0 = _S248;
-    if(!_S248)
-    {
-        (*this_26).way_2 = (*this_26).way_2 + hit_9.t_0;
+        _S247 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_9))
         {
+            _S247 = is_mover_0(hit_9.instance_1);
+        }
+        else
+        {
+            _S247 = false;
+        }
+    }
+    (*this_26).sees_mover_0 = _S247;
+    var _S248 : bool = ((*this_26).path_7.bounce_0) == u32(0);
+    if(goes_on_0)
+    {
+        _S247 = _S248;
+    }
+    else
+    {
+        _S247 = false;
+    }
+    var _S249 : bool = !_S247;
+    (*this_26).has_shown_0 = _S249;
+    if(!_S249)
+    {
+        (*this_26).way_2 = (*this_26).way_2 + hit_9.t_0;
+    }
+    else
+    {
+        var _S250 : u32;
+        if(!Hit_is_miss_0(hit_9))
+        {
             show_0(arrived_0, (*this_26).ray_10, hit_9, beyond_5, &((*sample_10)));
             (*sample_10).place_3 = (*this_26).camera_ray_0.origin_1 + (*this_26).camera_ray_0.direction_1 * vec3<f32>(((*this_26).way_2 + hit_9.t_0));
-            var _S249 : u32;
             if(((*this_26).way_2) > 0.0f)
             {
-                _S249 = u32(4294967295);
+                if((*this_26).sees_mover_0)
+                {
+                    _S250 = u32(4294967295);
+                }
+                else
+                {
+                    _S250 = u32(4294967294);
+                }
             }
             else
             {
-                _S249 = hit_9.instance_1;
+                _S250 = hit_9.instance_1;
             }
-            (*sample_10).instance_8 = _S249;
+            (*sample_10).instance_8 = _S250;
+        }
+        else
+        {
+            (*sample_10).albedo_0 = vec3<f32>(0.0f);
+            if((*this_26).sees_mover_0)
+            {
+                _S250 = u32(4294967295);
+            }
+            else
+            {
+                _S250 = u32(4294967294);
+            }
+            (*sample_10).instance_8 = _S250;
         }
     }
     return;
@@ -3847,9 +3898,9 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     ends_here_0 = false;
     var arrived_1 : Path_0 = (*at_7).path_7;
     var emitted_2 : vec3<f32> = cached_0;
-    var _S250 : Path_0 = (*at_7).path_7;
-    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S250), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
-    (*at_7).path_7 = _S250;
+    var _S251 : Path_0 = (*at_7).path_7;
+    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S251), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+    (*at_7).path_7 = _S251;
     var goes_on_1 : bool = (any(((next_2.direction_0) != cached_0)));
     if((*at_7).has_shown_0)
     {
@@ -3872,32 +3923,32 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     {
         (*at_7).ray_10 = Ray_x24init_0(next_2.origin_0, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
-    var _S251 : bool;
+    var _S252 : bool;
     if(goes_on_1)
     {
-        _S251 = true;
+        _S252 = true;
     }
     else
     {
-        _S251 = (*at_7).is_shadow_ray_0;
+        _S252 = (*at_7).is_shadow_ray_0;
     }
-    return _S251;
+    return _S252;
 }
 
 struct Key_0
 {
-     instance_9 : u32,
+     instance_10 : u32,
      face_and_level_0 : u32,
      cube_0 : vec3<i32>,
 };
 
-fn Key_x24init_0( instance_10 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
+fn Key_x24init_0( instance_11 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S252 : Key_0;
-    _S252.instance_9 = instance_10;
-    _S252.face_and_level_0 = face_and_level_1;
-    _S252.cube_0 = cube_1;
-    return _S252;
+    var _S253 : Key_0;
+    _S253.instance_10 = instance_11;
+    _S253.face_and_level_0 = face_and_level_1;
+    _S253.cube_0 = cube_1;
+    return _S253;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -3919,26 +3970,26 @@ fn key_of_0( hit_11 : Hit_0,  size_1 : f32,  u_17 : f32,  code_0 : ptr<function,
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S253 : f32;
+    var _S254 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S253 = 1.0f;
+        _S254 = 1.0f;
     }
     else
     {
-        _S253 = 0.0f;
+        _S254 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S253, 6.0f));
-    var _S254 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S254)));
-    var _S255 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S254))));
-    (*code_0) = u32(1) + (((((((_S255.x) | ((((_S255.y) << (level_0)))))) | ((((_S255.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S254, 6.0f));
+    var _S255 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S255)));
+    var _S256 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S255))));
+    (*code_0) = u32(1) + (((((((_S256.x) | ((((_S256.y) << (level_0)))))) | ((((_S256.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
 fn Key_hash_0( this_29 : Key_0) -> vec2<u32>
 {
-    return pcg4d_0(vec4<u32>(vec3<u32>(this_29.cube_0), this_29.instance_9 * u32(61) + this_29.face_and_level_0)).xy;
+    return pcg4d_0(vec4<u32>(vec3<u32>(this_29.cube_0), this_29.instance_10 * u32(61) + this_29.face_and_level_0)).xy;
 }
 
 fn place_of_check_0( cell_3 : u32) -> u32
@@ -3959,8 +4010,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_4 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S256 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
-        if(_S256 == (max(hash_0.y, u32(1))))
+        var _S257 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
+        if(_S257 == (max(hash_0.y, u32(1))))
         {
             return cell_4;
         }
@@ -3987,11 +4038,11 @@ fn place_of_asked_0( cell_7 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S257 : bool;
+    var _S258 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S258 : u32 = max(hash_1.y, u32(1));
+    var _S259 : u32 = max(hash_1.y, u32(1));
     var cell_8 : u32 = find_cell_0(hash_1);
-    var _S259 : vec4<f32> = vec4<f32>(0.0f);
+    var _S260 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_8 != u32(262144))
     {
@@ -3999,7 +4050,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S259;
+        known_0 = _S260;
     }
     var cell_9 : u32 = cell_8;
     var probe_1 : u32 = u32(0);
@@ -4007,13 +4058,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S257 = cell_9 == u32(262144);
+            _S258 = cell_9 == u32(262144);
         }
         else
         {
-            _S257 = false;
+            _S258 = false;
         }
-        if(_S257)
+        if(_S258)
         {
         }
         else
@@ -4021,23 +4072,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S258).old_value;
-        var _S260 : bool = found_0 == u32(0);
-        if(_S260)
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S259).old_value;
+        var _S261 : bool = found_0 == u32(0);
+        if(_S261)
         {
-            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_9, key_1.face_and_level_0, u32(0), u32(0)));
+            set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_10, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S261 : bool;
-        if(_S260)
+        var _S262 : bool;
+        if(_S261)
         {
-            _S261 = true;
+            _S262 = true;
         }
         else
         {
-            _S261 = found_0 == _S258;
+            _S262 = found_0 == _S259;
         }
-        if(_S261)
+        if(_S262)
         {
             cell_9 = place_4;
         }
@@ -4045,16 +4096,16 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_9 != u32(262144))
     {
-        var _S262 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
-        _S257 = _S262 < asked_0;
+        var _S263 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
+        _S258 = _S263 < asked_0;
     }
     else
     {
-        _S257 = false;
+        _S258 = false;
     }
-    if(_S257)
+    if(_S258)
     {
-        var _S263 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
+        var _S264 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
     }
     return known_0;
 }
@@ -4062,52 +4113,52 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  life_1 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_7) = vec3<f32>(0.0f);
-    var _S264 : bool;
+    var _S265 : bool;
     if(Hit_is_miss_0(hit_12))
     {
-        _S264 = true;
+        _S265 = true;
     }
     else
     {
-        _S264 = Inside_is_in_0(path_9.inside_0);
+        _S265 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S264)
+    if(_S265)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_12, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S264 = true;
+        _S265 = true;
     }
     else
     {
-        _S264 = (material_13.transmission_0) > 0.0f;
+        _S265 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S264)
+    if(_S265)
     {
         return false;
     }
     var code_1 : u32;
     var key_2 : Key_0 = key_of_0(hit_12, square_root_0(length_squared_0(ray_13.origin_1 + ray_13.direction_1 * vec3<f32>(hit_12.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_1));
-    var _S265 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
+    var _S266 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
     var is_from_first_0 : bool = (path_9.bounce_0) < u32(2);
     if(life_1 == u32(0))
     {
-        _S264 = true;
+        _S265 = true;
     }
     else
     {
         if(is_from_first_0)
         {
-            _S264 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < _S265;
+            _S265 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < _S266;
         }
         else
         {
-            _S264 = false;
+            _S265 = false;
         }
     }
-    if(_S264)
+    if(_S265)
     {
         return false;
     }
@@ -4135,10 +4186,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S266 : BsdfEval_0;
-    _S266.weight_5 = weight_6;
-    _S266.pdf_10 = pdf_11;
-    return _S266;
+    var _S267 : BsdfEval_0;
+    _S267.weight_5 = weight_6;
+    _S267.pdf_10 = pdf_11;
+    return _S267;
 }
 
 fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -4155,9 +4206,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S267 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S267;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S267) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S268 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S268;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S268) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_14 : Ray_0) -> u32
@@ -4166,17 +4217,17 @@ fn place_of_ray_0( ray_14 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_14.origin_1, length_squared_0(ray_14.origin_1 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S268 : vec3<i32> = vec3<i32>(floor(ray_14.direction_1 * vec3<f32>(4.0f)));
+    var _S269 : vec3<i32> = vec3<i32>(floor(ray_14.direction_1 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_0 : vec3<i32>;
     if((ray_14.t_max_0) <= 1.0f)
     {
-        var _S269 : vec3<i32> = cube_of_0(ray_14.origin_1 + ray_14.direction_1, length_squared_0(ray_14.direction_1), i32(1), &(power_7));
-        end_0 = _S269;
+        var _S270 : vec3<i32> = cube_of_0(ray_14.origin_1 + ray_14.direction_1, length_squared_0(ray_14.direction_1), i32(1), &(power_7));
+        end_0 = _S270;
     }
     else
     {
-        end_0 = _S268;
+        end_0 = _S269;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_0), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -4217,18 +4268,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
         var u_18 : vec4<f32>;
-        var _S270 : vec4<f32>;
+        var _S271 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S270 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
+            _S271 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
         }
         else
         {
-            _S270 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+            _S271 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
         }
-        u_18 = _S270;
-        var _S271 : bool = count_5 > u32(1);
-        if(_S271)
+        u_18 = _S271;
+        var _S272 : bool = count_5 > u32(1);
+        if(_S272)
         {
             u_18[i32(0)] = min((f32(candidate_0) + u_18.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -4239,7 +4290,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S272 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
+        var _S273 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -4247,41 +4298,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S272;
+            wi_5 = _S273;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S273 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S273);
-        var _S274 : bool;
+        var _S274 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S274);
+        var _S275 : bool;
         if(weighs_candidates_0)
         {
-            _S274 = _S271;
+            _S275 = _S272;
         }
         else
         {
-            _S274 = false;
+            _S275 = false;
         }
         var weight_8 : f32;
-        if(_S274)
+        if(_S275)
         {
-            var _S275 : f32 = visibility_0(light_8.ray_4);
-            weight_8 = weight_7 * _S275;
+            var _S276 : f32 = visibility_0(light_8.ray_4);
+            weight_8 = weight_7 * _S276;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_2 : f32 = sum_1 + weight_8;
-        var _S276 : bool;
-        if(_S271)
+        var _S277 : bool;
+        if(_S272)
         {
-            _S276 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_8;
+            _S277 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_8;
         }
         else
         {
-            _S276 = false;
+            _S277 = false;
         }
-        if(_S276)
+        if(_S277)
         {
             sum_1 = sum_2;
             candidate_0 = candidate_0 + u32(1);
@@ -4292,7 +4343,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         {
             (*next_3).shadow_direction_0 = light_8.ray_4.direction_1;
             (*next_3).shadow_t_max_0 = light_8.ray_4.t_max_0;
-            (*next_3).light_0 = _S273;
+            (*next_3).light_0 = _S274;
             chosen_5 = weight_8;
         }
         else
@@ -4303,9 +4354,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_1 = sum_2;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S277 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S277;
-    if(_S277)
+    var _S278 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S278;
+    if(_S278)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_1, chosen_4 * f32(count_5)));
     }
@@ -4317,7 +4368,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : u32,  sample_12 : ptr<function, Sample_0>) -> bool
 {
     var next_4 : NextRays_0 = no_rays_0();
-    var _S278 : bool = (*at_8).is_at_cell_0;
+    var _S279 : bool = (*at_8).is_at_cell_0;
     var goes_on_2 : bool;
     if((*at_8).is_at_cell_0)
     {
@@ -4328,8 +4379,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     }
     else
     {
-        var _S279 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S279;
+        var _S280 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S280;
         if((*at_8).has_shown_0)
         {
             goes_on_2 = (*at_8).asks_cache_0;
@@ -4340,8 +4391,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         if(goes_on_2)
         {
-            var _S280 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
-            goes_on_2 = _S280;
+            var _S281 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_2 = _S281;
         }
         else
         {
@@ -4349,12 +4400,12 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         ends_here_0 = goes_on_2;
         var arrived_2 : Path_0 = (*at_8).path_7;
-        var emitted_3 : vec3<f32> = _S279;
-        var _S281 : Path_0 = (*at_8).path_7;
-        var _S282 : NextRays_0 = PathTracingOf_advance_0(&(_S281), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_7 = _S281;
-        next_4 = _S282;
-        var goes_on_3 : bool = (any(((next_4.direction_0) != _S279)));
+        var emitted_3 : vec3<f32> = _S280;
+        var _S282 : Path_0 = (*at_8).path_7;
+        var _S283 : NextRays_0 = PathTracingOf_advance_0(&(_S282), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S282;
+        next_4 = _S283;
+        var goes_on_3 : bool = (any(((next_4.direction_0) != _S280)));
         if((*at_8).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
@@ -4369,44 +4420,44 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     {
         choose_light_0(scatter_of_path_0, &(next_4));
     }
-    if(!_S278)
+    if(!_S279)
     {
-        var _S283 : bool;
+        var _S284 : bool;
         if(counts_arrivals_0)
         {
-            _S283 = next_4.has_shadow_ray_0;
+            _S284 = next_4.has_shadow_ray_0;
         }
         else
         {
-            _S283 = false;
+            _S284 = false;
         }
-        if(_S283)
+        if(_S284)
         {
-            _S283 = (Path_events_0(scatter_of_path_0.path_0)) == u32(0);
+            _S284 = (Path_events_0(scatter_of_path_0.path_0)) == u32(0);
         }
         else
         {
-            _S283 = false;
+            _S284 = false;
         }
-        if(_S283)
+        if(_S284)
         {
-            _S283 = !scatter_of_path_0.is_scattered_0;
+            _S284 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S283 = false;
+            _S284 = false;
         }
-        if(_S283)
+        if(_S284)
         {
-            _S283 = !Inside_is_in_0(scatter_of_path_0.path_0.inside_0);
+            _S284 = !Inside_is_in_0(scatter_of_path_0.path_0.inside_0);
         }
         else
         {
-            _S283 = false;
+            _S284 = false;
         }
-        (*at_8).counts_0 = _S283;
+        (*at_8).counts_0 = _S284;
     }
-    if(_S278)
+    if(_S279)
     {
         (*at_8).path_7.bounce_0 = u32(1);
         (*at_8).path_7.event_0 = u32(1);
@@ -4455,9 +4506,9 @@ fn local_ray_0( ray_16 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S284 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_16.origin_1);
+        var _S285 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_16.origin_1);
         direction_27 = Transform_direction_0(grid_from_world_2, ray_16.direction_1);
-        origin_8 = _S284;
+        origin_8 = _S285;
     }
     else
     {
@@ -4465,11 +4516,11 @@ fn local_ray_0( ray_16 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_8 = ray_16.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S285 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_26 = _S285;
+    var _S286 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S286;
     local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S285));
+    var speed_0 : f32 = max_element_0(abs(_S286));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -4546,8 +4597,8 @@ fn Walk_mirror_0( this_34 : Walk_0) -> vec3<i32>
 
 fn Walk_mirrored_plane_0( this_35 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S286 : vec3<i32> = Walk_mirror_0(this_35);
-    return ((plane_0 ^ (_S286))) - _S286;
+    var _S287 : vec3<i32> = Walk_mirror_0(this_35);
+    return ((plane_0 ^ (_S287))) - _S287;
 }
 
 fn LocalRay_mirrored_origin_0( this_36 : LocalRay_0) -> vec3<f32>
@@ -4562,16 +4613,16 @@ fn min_element_0( vector_5 : vec3<f32>) -> f32
 
 fn top_shift_of_0( grid_8 : PackedGrid_0) -> u32
 {
-    var _S287 : u32;
+    var _S288 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
-        _S287 = TOP_SHIFT_0;
+        _S288 = TOP_SHIFT_0;
     }
     else
     {
-        _S287 = grid_8.top_shift_0;
+        _S288 = grid_8.top_shift_0;
     }
-    return _S287;
+    return _S288;
 }
 
 fn LocalRay_tolerance_0( this_37 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
@@ -4590,29 +4641,29 @@ fn walk_from_0( base_1 : vec3<i32>,  ray_18 : LocalRay_0,  grid_9 : PackedGrid_0
     walk_0.ray_17 = ray_18;
     walk_0.base_0 = base_1;
     walk_0.octant_0 = LocalRay_octant_0(ray_18);
-    var _S288 : vec3<i32>;
+    var _S289 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S288 = Walk_mirrored_plane_0(walk_0, base_1);
+        _S289 = Walk_mirrored_plane_0(walk_0, base_1);
     }
     else
     {
-        _S288 = vec3<i32>(i32(0));
+        _S289 = vec3<i32>(i32(0));
     }
-    walk_0.offset_0 = _S288;
+    walk_0.offset_0 = _S289;
     walk_0.origin_9 = LocalRay_mirrored_origin_0(ray_18);
-    var _S289 : vec3<f32> = abs(ray_18.direction_26);
-    var _S290 : vec3<f32> = abs(ray_18.inverse_0);
+    var _S290 : vec3<f32> = abs(ray_18.direction_26);
+    var _S291 : vec3<f32> = abs(ray_18.inverse_0);
     var is_still_0 : vec3<bool> = (ray_18.direction_26) == vec3<f32>(0.0f);
-    walk_0.speed_1 = select(_S289, vec3<f32>((max_element_0(_S289) * 9.99999993922529029e-09f)), is_still_0);
-    walk_0.inverse_1 = select(_S290, vec3<f32>((min_element_0(_S290) * 9.99999986991104e+14f)), is_still_0);
+    walk_0.speed_1 = select(_S290, vec3<f32>((max_element_0(_S290) * 9.99999993922529029e-09f)), is_still_0);
+    walk_0.inverse_1 = select(_S291, vec3<f32>((min_element_0(_S291) * 9.99999986991104e+14f)), is_still_0);
     if(!IS_EXACT_0)
     {
-        var _S291 : vec3<f32> = vec3<f32>(base_1);
-        walk_0.origin_9 = select(ray_18.origin_7 - _S291, _S291 - ray_18.origin_7, (ray_18.direction_26) < vec3<f32>(0.0f));
-        var _S292 : vec3<f32> = max(_S289, vec3<f32>(1.00000004581370497e-18f));
-        walk_0.speed_1 = _S292;
-        walk_0.inverse_1 = vec3<f32>(1.0f) / _S292;
+        var _S292 : vec3<f32> = vec3<f32>(base_1);
+        walk_0.origin_9 = select(ray_18.origin_7 - _S292, _S292 - ray_18.origin_7, (ray_18.direction_26) < vec3<f32>(0.0f));
+        var _S293 : vec3<f32> = max(_S290, vec3<f32>(1.00000004581370497e-18f));
+        walk_0.speed_1 = _S293;
+        walk_0.inverse_1 = vec3<f32>(1.0f) / _S293;
     }
     var low_8 : vec3<i32> = cell_of_0(grid_9.origin_4);
     walk_0.tolerance_0 = LocalRay_tolerance_0(ray_18, low_8, low_8 + (((cell_of_0(grid_9.top_size_0)) << (vec3<u32>(top_shift_of_0(grid_9))))));
@@ -4640,65 +4691,65 @@ fn exact_product_0( a_4 : f32,  b_4 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_4);
     var b_parts_0 : vec2<f32> = halves_0(b_4);
-    var _S293 : f32 = a_parts_0.x;
-    var _S294 : f32 = b_parts_0.x;
-    var _S295 : f32 = b_parts_0.y;
-    var _S296 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S293 * _S294 - product_0 + _S293 * _S295 + _S296 * _S294 + _S296 * _S295);
+    var _S294 : f32 = a_parts_0.x;
+    var _S295 : f32 = b_parts_0.x;
+    var _S296 : f32 = b_parts_0.y;
+    var _S297 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S294 * _S295 - product_0 + _S294 * _S296 + _S297 * _S295 + _S297 * _S296);
 }
 
 fn exact_start_voxel_0( ray_19 : LocalRay_0) -> vec3<i32>
 {
     var way_3 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(0)]);
-    var _S297 : f32 = way_3.x;
-    var sum_3 : f32 = ray_19.origin_7[u32(0)] + _S297;
+    var _S298 : f32 = way_3.x;
+    var sum_3 : f32 = ray_19.origin_7[u32(0)] + _S298;
     var part_0 : f32 = sum_3 - ray_19.origin_7[u32(0)];
-    var low_9 : f32 = ray_19.origin_7[u32(0)] - (sum_3 - part_0) + (_S297 - part_0) + way_3.y;
+    var low_9 : f32 = ray_19.origin_7[u32(0)] - (sum_3 - part_0) + (_S298 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S298 : i32 = i32(whole_0);
-    var _S299 : bool;
+    var _S299 : i32 = i32(whole_0);
+    var _S300 : bool;
     if(sum_3 == whole_0)
     {
-        _S299 = low_9 < 0.0f;
+        _S300 = low_9 < 0.0f;
     }
     else
     {
-        _S299 = false;
+        _S300 = false;
     }
-    voxel_7[u32(0)] = _S298 - i32(_S299);
+    voxel_7[u32(0)] = _S299 - i32(_S300);
     var way_4 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(1)]);
-    var _S300 : f32 = way_4.x;
-    var sum_4 : f32 = ray_19.origin_7[u32(1)] + _S300;
+    var _S301 : f32 = way_4.x;
+    var sum_4 : f32 = ray_19.origin_7[u32(1)] + _S301;
     var part_1 : f32 = sum_4 - ray_19.origin_7[u32(1)];
-    var low_10 : f32 = ray_19.origin_7[u32(1)] - (sum_4 - part_1) + (_S300 - part_1) + way_4.y;
+    var low_10 : f32 = ray_19.origin_7[u32(1)] - (sum_4 - part_1) + (_S301 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S301 : i32 = i32(whole_1);
+    var _S302 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S299 = low_10 < 0.0f;
+        _S300 = low_10 < 0.0f;
     }
     else
     {
-        _S299 = false;
+        _S300 = false;
     }
-    voxel_7[u32(1)] = _S301 - i32(_S299);
+    voxel_7[u32(1)] = _S302 - i32(_S300);
     var way_5 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(2)]);
-    var _S302 : f32 = way_5.x;
-    var sum_5 : f32 = ray_19.origin_7[u32(2)] + _S302;
+    var _S303 : f32 = way_5.x;
+    var sum_5 : f32 = ray_19.origin_7[u32(2)] + _S303;
     var part_2 : f32 = sum_5 - ray_19.origin_7[u32(2)];
-    var low_11 : f32 = ray_19.origin_7[u32(2)] - (sum_5 - part_2) + (_S302 - part_2) + way_5.y;
+    var low_11 : f32 = ray_19.origin_7[u32(2)] - (sum_5 - part_2) + (_S303 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S303 : i32 = i32(whole_2);
+    var _S304 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S299 = low_11 < 0.0f;
+        _S300 = low_11 < 0.0f;
     }
     else
     {
-        _S299 = false;
+        _S300 = false;
     }
-    voxel_7[u32(2)] = _S303 - i32(_S299);
+    voxel_7[u32(2)] = _S304 - i32(_S300);
     return voxel_7;
 }
 
@@ -4711,16 +4762,16 @@ fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S304 : bool;
+    var _S305 : bool;
     if((this_40.ray_17.t_min_2) > 0.0f)
     {
-        _S304 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
+        _S305 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
     }
     else
     {
-        _S304 = false;
+        _S305 = false;
     }
-    if(_S304)
+    if(_S305)
     {
         return Walk_mirrored_0(this_40, exact_start_voxel_0(this_40.ray_17) - this_40.base_0);
     }
@@ -4731,16 +4782,16 @@ fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
 
 fn Walk_crossings_0( this_41 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    var _S305 : bool;
+    var _S306 : bool;
     if(IS_EXACT_0)
     {
-        _S305 = !CELLS_SKIP_0;
+        _S306 = !CELLS_SKIP_0;
     }
     else
     {
-        _S305 = false;
+        _S306 = false;
     }
-    if(_S305)
+    if(_S306)
     {
         return ((bitcast<vec3<f32>>((planes_1 + this_41.offset_0 + vec3<i32>(i32(1262485504))))) - vec3<f32>(1.2582912e+07f) - this_41.origin_9) * this_41.inverse_1;
     }
@@ -4757,12 +4808,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S306 : Crossing_0;
-    _S306.distance_2 = distance_3;
-    _S306.distance_low_0 = distance_low_1;
-    _S306.speed_2 = speed_3;
-    _S306.axis_1 = axis_2;
-    return _S306;
+    var _S307 : Crossing_0;
+    _S307.distance_2 = distance_3;
+    _S307.distance_low_0 = distance_low_1;
+    _S307.speed_2 = speed_3;
+    _S307.axis_1 = axis_2;
+    return _S307;
 }
 
 fn crossing_ahead_0( origin_10 : f32,  speed_4 : f32,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
@@ -4783,30 +4834,30 @@ fn Crossing_is_before_0( this_42 : Crossing_0,  other_1 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_1.distance_low_0 * this_42.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S307 : bool;
+    var _S308 : bool;
     if(difference_1 < 0.0f)
     {
-        _S307 = true;
+        _S308 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S307 = (this_42.axis_1) < (other_1.axis_1);
+            _S308 = (this_42.axis_1) < (other_1.axis_1);
         }
         else
         {
-            _S307 = false;
+            _S308 = false;
         }
     }
-    return _S307;
+    return _S308;
 }
 
 fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : vec3<i32>,  is_first_0 : bool) -> Crossing_0
 {
-    var _S308 : bool;
+    var _S309 : bool;
     var found_1 : Crossing_0;
-    var _S309 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S310 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
@@ -4815,25 +4866,25 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
             {
                 if((speed_5[u32(0)]) == 0.0f)
                 {
-                    found_1 = _S309;
+                    found_1 = _S310;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_ahead_0(origin_11[u32(0)], speed_5[u32(0)], u32(0), planes_2[u32(0)]);
-                if((_S309.axis_1) == u32(3))
+                if((_S310.axis_1) == u32(3))
                 {
-                    _S308 = true;
+                    _S309 = true;
                 }
                 else
                 {
-                    _S308 = (Crossing_is_before_0(crossing_0, _S309)) == is_first_0;
+                    _S309 = (Crossing_is_before_0(crossing_0, _S310)) == is_first_0;
                 }
-                if(_S308)
+                if(_S309)
                 {
                     found_1 = crossing_0;
                 }
                 else
                 {
-                    found_1 = _S309;
+                    found_1 = _S310;
                 }
                 break;
             }
@@ -4850,13 +4901,13 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
                 var crossing_1 : Crossing_0 = crossing_ahead_0(origin_11[u32(1)], speed_5[u32(1)], u32(1), planes_2[u32(1)]);
                 if((found_1.axis_1) == u32(3))
                 {
-                    _S308 = true;
+                    _S309 = true;
                 }
                 else
                 {
-                    _S308 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
+                    _S309 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
                 }
-                if(_S308)
+                if(_S309)
                 {
                     found_1 = crossing_1;
                 }
@@ -4875,13 +4926,13 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
                 var crossing_2 : Crossing_0 = crossing_ahead_0(origin_11[u32(2)], speed_5[u32(2)], u32(2), planes_2[u32(2)]);
                 if((found_1.axis_1) == u32(3))
                 {
-                    _S308 = true;
+                    _S309 = true;
                 }
                 else
                 {
-                    _S308 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
+                    _S309 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
                 }
-                if(_S308)
+                if(_S309)
                 {
                     found_1 = crossing_2;
                 }
@@ -4898,7 +4949,7 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
 {
     var is_crossed_0 : bool;
     var plane_2 : i32;
-    var _S310 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
+    var _S311 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
     var arrival_0 : vec3<i32> = voxel_8;
     for(;;)
     {
@@ -4910,16 +4961,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S311 : bool = u32(0) == (_S310.axis_1);
-                if(_S311)
+                var _S312 : bool = u32(0) == (_S311.axis_1);
+                if(_S312)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S310);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S311);
                 }
-                if(_S311)
+                if(_S312)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4940,16 +4991,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S312 : bool = u32(1) == (_S310.axis_1);
-                if(_S312)
+                var _S313 : bool = u32(1) == (_S311.axis_1);
+                if(_S313)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S310);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S311);
                 }
-                if(_S312)
+                if(_S313)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -4970,16 +5021,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S313 : bool = u32(2) == (_S310.axis_1);
-                if(_S313)
+                var _S314 : bool = u32(2) == (_S311.axis_1);
+                if(_S314)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S310);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S311);
                 }
-                if(_S313)
+                if(_S314)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -5034,9 +5085,9 @@ fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S314 : bool = !is_x_0;
+        var _S315 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S314)
+        if(_S315)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -5044,16 +5095,16 @@ fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S315 : bool;
-        if(_S314)
+        var _S316 : bool;
+        if(_S315)
         {
-            _S315 = !is_y_0;
+            _S316 = !is_y_0;
         }
         else
         {
-            _S315 = false;
+            _S316 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S315);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S316);
         (*voxel_10) = Walk_arrive_0(this_44, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_1, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -5075,8 +5126,8 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S316 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
-        return _S316;
+        var _S317 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
+        return _S317;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_46, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -5085,52 +5136,52 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var back_0 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_9 - vec3<f32>(t_first_1), this_46.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
-    var _S317 : vec3<f32> = vec3<f32>(1.2582912e+07f);
-    var rounded_0 : vec3<f32> = back_0 + _S317;
-    var _S318 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
-    var _S319 : vec3<f32> = vec3<f32>(0.5f);
-    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S317 - back_0)) >= (_S319 - this_46.tolerance_0);
-    var _S320 : bool = is_unsure_0.x;
-    var _S321 : bool;
-    if(_S320)
-    {
-        _S321 = is_unsure_0.y;
-    }
-    else
-    {
-        _S321 = false;
-    }
+    var _S318 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_0 : vec3<f32> = back_0 + _S318;
+    var _S319 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
+    var _S320 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S318 - back_0)) >= (_S320 - this_46.tolerance_0);
+    var _S321 : bool = is_unsure_0.x;
+    var _S322 : bool;
     if(_S321)
     {
-        _S321 = true;
+        _S322 = is_unsure_0.y;
     }
     else
     {
-        if(_S320)
-        {
-            _S321 = true;
-        }
-        else
-        {
-            _S321 = is_unsure_0.y;
-        }
+        _S322 = false;
+    }
+    if(_S322)
+    {
+        _S322 = true;
+    }
+    else
+    {
         if(_S321)
         {
-            _S321 = is_unsure_0.z;
+            _S322 = true;
         }
         else
         {
-            _S321 = false;
+            _S322 = is_unsure_0.y;
+        }
+        if(_S322)
+        {
+            _S322 = is_unsure_0.z;
+        }
+        else
+        {
+            _S322 = false;
         }
     }
     var arrival_1 : vec3<i32>;
-    if(_S321)
+    if(_S322)
     {
-        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S319)) + this_46.offset_0) - this_46.offset_0;
+        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S320)) + this_46.offset_0) - this_46.offset_0;
     }
     else
     {
-        arrival_1 = _S318;
+        arrival_1 = _S319;
     }
     (*voxel_12) = max(arrival_1, (*voxel_12));
     return true;
@@ -5138,44 +5189,44 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S322 : bool;
+    var _S323 : bool;
     var is_mirrored_0 : vec3<bool> = (Walk_mirror_0(this_47)) != vec3<i32>(i32(0));
     var near_2 : vec3<i32> = select(low_12, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_12), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S323 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_2, far_2);
-        return _S323;
+        var _S324 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_2, far_2);
+        return _S324;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S322 = (any(((*voxel_13) < near_2)));
+            _S323 = (any(((*voxel_13) < near_2)));
         }
         else
         {
-            _S322 = false;
+            _S323 = false;
         }
-        var _S324 : bool;
-        if(_S322)
+        var _S325 : bool;
+        if(_S323)
         {
-            _S324 = (all(((*voxel_13) < far_2)));
+            _S325 = (all(((*voxel_13) < far_2)));
         }
         else
         {
-            _S324 = false;
+            _S325 = false;
         }
-        if(_S324)
+        if(_S325)
         {
         }
         else
         {
             break;
         }
-        var _S325 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
-        if(!_S325)
+        var _S326 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_2, (*voxel_13) < near_2));
+        if(!_S326)
         {
             return false;
         }
@@ -5183,13 +5234,13 @@ fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12
     }
     if((all(((*voxel_13) >= near_2))))
     {
-        _S322 = (all(((*voxel_13) < far_2)));
+        _S323 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S322 = false;
+        _S323 = false;
     }
-    return _S322;
+    return _S323;
 }
 
 fn flip_of_0( octant_1 : u32) -> u32
@@ -5211,16 +5262,16 @@ fn ahead_of_0( mirror_0 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_2 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_2)))) & (u32(7)));
-    var _S326 : u32;
+    var _S327 : u32;
     if(code_2 < u32(2))
     {
-        _S326 = code_2 + u32(1);
+        _S327 = code_2 + u32(1);
     }
     else
     {
-        _S326 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S327 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S326;
+    return _S327;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5251,24 +5302,24 @@ fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S327 : i32;
+    var _S328 : i32;
     if(((((half_2 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S327 = i32(1);
+        _S328 = i32(1);
     }
     else
     {
-        _S327 = i32(0);
+        _S328 = i32(0);
     }
-    return u32(_S327);
+    return u32(_S328);
 }
 
 fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S328 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
-        return _S328;
+        var _S329 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
+        return _S329;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_48, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -5277,52 +5328,52 @@ fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var back_1 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_10 - vec3<f32>(t_first_2), this_48.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
-    var _S329 : vec3<f32> = vec3<f32>(1.2582912e+07f);
-    var rounded_1 : vec3<f32> = back_1 + _S329;
-    var _S330 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
-    var _S331 : vec3<f32> = vec3<f32>(0.5f);
-    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S329 - back_1)) >= (_S331 - this_48.tolerance_0);
-    var _S332 : bool = is_unsure_1.x;
-    var _S333 : bool;
-    if(_S332)
-    {
-        _S333 = is_unsure_1.y;
-    }
-    else
-    {
-        _S333 = false;
-    }
+    var _S330 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_1 : vec3<f32> = back_1 + _S330;
+    var _S331 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
+    var _S332 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S330 - back_1)) >= (_S332 - this_48.tolerance_0);
+    var _S333 : bool = is_unsure_1.x;
+    var _S334 : bool;
     if(_S333)
     {
-        _S333 = true;
+        _S334 = is_unsure_1.y;
     }
     else
     {
-        if(_S332)
-        {
-            _S333 = true;
-        }
-        else
-        {
-            _S333 = is_unsure_1.y;
-        }
+        _S334 = false;
+    }
+    if(_S334)
+    {
+        _S334 = true;
+    }
+    else
+    {
         if(_S333)
         {
-            _S333 = is_unsure_1.z;
+            _S334 = true;
         }
         else
         {
-            _S333 = false;
+            _S334 = is_unsure_1.y;
+        }
+        if(_S334)
+        {
+            _S334 = is_unsure_1.z;
+        }
+        else
+        {
+            _S334 = false;
         }
     }
     var arrival_2 : vec3<i32>;
-    if(_S333)
+    if(_S334)
     {
-        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S331)) + this_48.offset_0) - this_48.offset_0;
+        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S332)) + this_48.offset_0) - this_48.offset_0;
     }
     else
     {
-        arrival_2 = _S330;
+        arrival_2 = _S331;
     }
     (*voxel_15) = max(arrival_2, (*voxel_15));
     return true;
@@ -5330,48 +5381,48 @@ fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
 
 fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S334 : Walk_0 = walk_1;
-    var _S335 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_2) = _S335;
+    var _S335 : Walk_0 = walk_1;
+    var _S336 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_2) = _S336;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S336 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S334.base_0, cell_of_0(grid_10.max_1) - _S334.base_0);
-    if(!_S336)
+    var _S337 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S335.base_0, cell_of_0(grid_10.max_1) - _S335.base_0);
+    if(!_S337)
     {
         return false;
     }
-    var octant_4 : u32 = _S334.octant_0;
-    var _S337 : u32 = flip_of_0(_S334.octant_0);
+    var octant_4 : u32 = _S335.octant_0;
+    var _S338 : u32 = flip_of_0(_S335.octant_0);
     var top_shift_1 : u32 = top_shift_of_0(grid_10);
     var top_size_1 : vec3<i32> = cell_of_0(grid_10.top_size_0);
-    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S334.base_0;
-    var _S338 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S338, _S338 * top_size_1.y);
-    var _S339 : vec3<u32> = vec3<u32>(top_shift_1);
-    var _S340 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S334)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S339)));
-    var _S341 : vec3<i32> = Walk_mirrored_plane_0(_S334, stride_0);
-    var _S342 : u32 = ahead_of_0(Walk_mirror_0(_S334));
-    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S334, select(low_13 + ((top_size_1 << (_S339))), low_13, (Walk_mirror_0(_S334)) != _S335));
+    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S335.base_0;
+    var _S339 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S339, _S339 * top_size_1.y);
+    var _S340 : vec3<u32> = vec3<u32>(top_shift_1);
+    var _S341 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S335)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S340)));
+    var _S342 : vec3<i32> = Walk_mirrored_plane_0(_S335, stride_0);
+    var _S343 : u32 = ahead_of_0(Walk_mirror_0(_S335));
+    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S335, select(low_13 + ((top_size_1 << (_S340))), low_13, (Walk_mirror_0(_S335)) != _S336));
     if(!IS_EXACT_0)
     {
-        _S334.t_end_0 = min(_S334.t_end_0, min_element_0(Walk_crossings_0(_S334, end_1)));
+        _S335.t_end_0 = min(_S335.t_end_0, min_element_0(Walk_crossings_0(_S335, end_1)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S343 : bool;
+        var _S344 : bool;
         if(IS_EXACT_0)
         {
-            _S343 = (any((voxel_16 >= end_1)));
+            _S344 = (any((voxel_16 >= end_1)));
         }
         else
         {
-            _S343 = false;
+            _S344 = false;
         }
-        if(_S343)
+        if(_S344)
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S340 + dot_cells_0(_S341, (voxel_16 >> (_S339)))));
+        var cell_13 : u32 = cell_word_0(u32(_S341 + dot_cells_0(_S342, (voxel_16 >> (_S340)))));
         var is_found_4 : bool;
         var cell_14 : u32;
         var shift_4 : u32;
@@ -5379,7 +5430,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S337))));
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S338))));
                 shift_4 = u32(3);
             }
             else
@@ -5402,16 +5453,16 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
                 {
                     is_found_4 = false;
                 }
-                var _S344 : bool;
+                var _S345 : bool;
                 if(is_found_4)
                 {
-                    _S344 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                    _S345 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S344 = false;
+                    _S345 = false;
                 }
-                if(_S344)
+                if(_S345)
                 {
                 }
                 else
@@ -5419,7 +5470,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S337))));
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S338))));
                 shift_4 = shift_5;
             }
         }
@@ -5436,7 +5487,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S342);
+                exit_5 = extents_0(cell_14, _S343);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
@@ -5453,7 +5504,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             {
                 blocks_1 = blocks_of_record_0(record_5);
             }
-            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S337);
+            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S338);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5463,15 +5514,15 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S345 : bool = Walk_leave_1(_S334, &(voxel_16), exit_5);
-        if(!_S345)
+        var _S346 : bool = Walk_leave_1(_S335, &(voxel_16), exit_5);
+        if(!_S346)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*found_2) = Walk_mirrored_0(_S334, voxel_16) + _S334.base_0;
+    (*found_2) = Walk_mirrored_0(_S335, voxel_16) + _S335.base_0;
     return is_found_3;
 }
 
@@ -5481,88 +5532,88 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
     return Ray_x24init_0(select(walk_2.origin_9, (vec3<f32>(0) - walk_2.origin_9), is_mirrored_1) + vec3<f32>(walk_2.base_0), ray_20.t_min_0, select(walk_2.speed_1, (vec3<f32>(0) - walk_2.speed_1), is_mirrored_1), ray_20.t_max_0);
 }
 
-fn hit_at_0( last_5 : Crossing_0,  t_min_3 : f32,  inverse_2 : vec3<f32>,  voxel_17 : vec3<i32>,  instance_11 : u32,  octant_5 : u32) -> Hit_0
+fn hit_at_0( last_5 : Crossing_0,  t_min_3 : f32,  inverse_2 : vec3<f32>,  voxel_17 : vec3<i32>,  instance_12 : u32,  octant_5 : u32) -> Hit_0
 {
     var t_11 : f32 = last_5.distance_2 * inverse_2[last_5.axis_1];
-    var _S346 : f32;
+    var _S347 : f32;
     if(t_11 > t_min_3)
     {
-        _S346 = t_11;
+        _S347 = t_11;
     }
     else
     {
-        _S346 = t_min_3;
+        _S347 = t_min_3;
     }
-    return Hit_x24init_0(_S346, instance_11, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
+    return Hit_x24init_0(_S347, instance_12, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
 }
 
-fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_12 : u32) -> Hit_0
+fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_13 : u32) -> Hit_0
 {
     var planes_3 : vec3<i32> = Walk_mirrored_0(walk_3, voxel_18 - walk_3.base_0);
     if(IS_EXACT_0)
     {
-        return hit_at_0(crossing_among_0(walk_3.origin_9, walk_3.speed_1, planes_3 + walk_3.offset_0, false), walk_3.ray_17.t_min_2, walk_3.inverse_1, voxel_18, instance_12, walk_3.octant_0);
+        return hit_at_0(crossing_among_0(walk_3.origin_9, walk_3.speed_1, planes_3 + walk_3.offset_0, false), walk_3.ray_17.t_min_2, walk_3.inverse_1, voxel_18, instance_13, walk_3.octant_0);
     }
     var t_12 : vec3<f32> = Walk_crossings_0(walk_3, planes_3);
     var last_6 : f32 = max_element_0(t_12);
-    var _S347 : i32;
+    var _S348 : i32;
     if((t_12.z) == last_6)
     {
-        _S347 = i32(2);
+        _S348 = i32(2);
     }
     else
     {
         if((t_12.y) == last_6)
         {
-            _S347 = i32(1);
+            _S348 = i32(1);
         }
         else
         {
-            _S347 = i32(0);
+            _S348 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S347);
-    return Hit_x24init_0(max(last_6, walk_3.ray_17.t_min_2), instance_12, voxel_18, u32(2) * axis_5 + (((((walk_3.octant_0) >> (axis_5))) & (u32(1)))));
+    var axis_5 : u32 = u32(_S348);
+    return Hit_x24init_0(max(last_6, walk_3.ray_17.t_min_2), instance_13, voxel_18, u32(2) * axis_5 + (((((walk_3.octant_0) >> (axis_5))) & (u32(1)))));
 }
 
-fn hit_in_0( instance_13 : u32,  ray_21 : ptr<function, Ray_0>) -> Hit_0
+fn hit_in_0( instance_14 : u32,  ray_21 : ptr<function, Ray_0>) -> Hit_0
 {
-    var local_4 : LocalRay_0 = local_ray_0((*ray_21), Instances_operatorx5Bx5D_get_0(instance_13).grid_from_world_0);
+    var local_4 : LocalRay_0 = local_ray_0((*ray_21), Instances_operatorx5Bx5D_get_0(instance_14).grid_from_world_0);
     if(!local_4.is_valid_0)
     {
         return miss_0();
     }
-    var _S348 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_13).grid_0);
-    var _S349 : bool;
+    var _S349 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_14).grid_0);
+    var _S350 : bool;
     if(IS_EXACT_0)
     {
-        _S349 = TOP_SHIFT_0 == u32(3);
+        _S350 = TOP_SHIFT_0 == u32(3);
     }
     else
     {
-        _S349 = false;
+        _S350 = false;
     }
     var base_2 : vec3<i32>;
-    if(_S349)
+    if(_S350)
     {
         base_2 = vec3<i32>(i32(0));
     }
     else
     {
-        base_2 = cell_of_0(_S348.origin_4);
+        base_2 = cell_of_0(_S349.origin_4);
     }
-    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S348);
+    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S349);
     var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(_S348, walk_4, &(voxel_19));
+    var is_found_6 : bool = first_voxel_0(_S349, walk_4, &(voxel_19));
     if(IS_SINGLE_0)
     {
-        _S349 = !IS_EXACT_0;
+        _S350 = !IS_EXACT_0;
     }
     else
     {
-        _S349 = false;
+        _S350 = false;
     }
-    if(_S349)
+    if(_S350)
     {
         (*ray_21) = ray_of_walk_0(walk_4, (*ray_21));
     }
@@ -5570,7 +5621,7 @@ fn hit_in_0( instance_13 : u32,  ray_21 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var hit_14 : Hit_0 = hit_of_walk_0(walk_4, voxel_19, instance_13);
+    var hit_14 : Hit_0 = hit_of_walk_0(walk_4, voxel_19, instance_14);
     if((hit_14.t_0) > ((*ray_21).t_max_0))
     {
         return miss_0();
@@ -5593,22 +5644,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
 {
-    var _S350 : u32 = u32(2) * index_29;
-    var _S351 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S350);
-    var _S352 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S350 + u32(1));
+    var _S351 : u32 = u32(2) * index_29;
+    var _S352 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S351);
+    var _S353 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S351 + u32(1));
     var node_12 : InstanceNode_0;
-    var _S353 : f32 = (bitcast<f32>((_S351.y)));
-    var _S354 : f32 = (bitcast<f32>((_S351.z)));
-    node_12.min_2[i32(0)] = (bitcast<f32>((_S351.x)));
-    node_12.min_2[i32(1)] = _S353;
-    node_12.min_2[i32(2)] = _S354;
-    node_12.index_28 = _S351.w;
-    var _S355 : f32 = (bitcast<f32>((_S352.y)));
-    var _S356 : f32 = (bitcast<f32>((_S352.z)));
-    node_12.max_2[i32(0)] = (bitcast<f32>((_S352.x)));
-    node_12.max_2[i32(1)] = _S355;
-    node_12.max_2[i32(2)] = _S356;
-    node_12.is_leaf_0 = _S352.w;
+    var _S354 : f32 = (bitcast<f32>((_S352.y)));
+    var _S355 : f32 = (bitcast<f32>((_S352.z)));
+    node_12.min_2[i32(0)] = (bitcast<f32>((_S352.x)));
+    node_12.min_2[i32(1)] = _S354;
+    node_12.min_2[i32(2)] = _S355;
+    node_12.index_28 = _S352.w;
+    var _S356 : f32 = (bitcast<f32>((_S353.y)));
+    var _S357 : f32 = (bitcast<f32>((_S353.z)));
+    node_12.max_2[i32(0)] = (bitcast<f32>((_S353.x)));
+    node_12.max_2[i32(1)] = _S356;
+    node_12.max_2[i32(2)] = _S357;
+    node_12.is_leaf_0 = _S353.w;
     return node_12;
 }
 
@@ -5616,17 +5667,17 @@ fn entry_0( node_13 : InstanceNode_0,  ray_22 : Ray_0,  inverse_3 : vec3<f32>) -
 {
     var low_14 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_22.origin_1) * inverse_3;
     var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_22.origin_1) * inverse_3;
-    var _S357 : f32 = max(ray_22.t_min_0, max_element_0(min(low_14, high_5)));
-    var _S358 : f32;
-    if(_S357 <= (min(ray_22.t_max_0, min_element_0(max(low_14, high_5)))))
+    var _S358 : f32 = max(ray_22.t_min_0, max_element_0(min(low_14, high_5)));
+    var _S359 : f32;
+    if(_S358 <= (min(ray_22.t_max_0, min_element_0(max(low_14, high_5)))))
     {
-        _S358 = _S357;
+        _S359 = _S358;
     }
     else
     {
-        _S358 = (bitcast<f32>(infinity_bits_0));
+        _S359 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S358;
+    return _S359;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
@@ -5634,8 +5685,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S359 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S359;
+        var _S360 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S360;
     }
     var ray_23 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -5644,15 +5695,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S360 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S361 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S361 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S362 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S362 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S363 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S362;
+    var is_leaf_2 : bool = _S363;
     var index_30 : u32 = u32(0);
-    var below_1 : u32 = _S361.index_28;
+    var below_1 : u32 = _S362.index_28;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -5662,16 +5713,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S363 : bool;
+            var _S364 : bool;
             if(is_done_1)
             {
-                _S363 = depth_1 > u32(0);
+                _S364 = depth_1 > u32(0);
             }
             else
             {
-                _S363 = !is_leaf_2;
+                _S364 = !is_leaf_2;
             }
-            if(_S363)
+            if(_S364)
             {
             }
             else
@@ -5682,25 +5733,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S364 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S365 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S365 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S366 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_23.t_max_0);
-                is_leaf_1 = _S365;
+                is_leaf_1 = _S366;
                 index_31 = stack_0[depth_2];
-                below_2 = _S364.index_28;
+                below_2 = _S365.index_28;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S366 : u32 = index_30 + u32(1);
-                var _S367 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S366);
-                var _S368 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S367, ray_23, _S360);
-                var to_right_0 : f32 = entry_0(_S368, ray_23, _S360);
+                var _S367 : u32 = index_30 + u32(1);
+                var _S368 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S367);
+                var _S369 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S368, ray_23, _S361);
+                var to_right_0 : f32 = entry_0(_S369, ray_23, _S361);
                 var is_left_4 : bool = to_left_0 <= to_right_0;
-                var _S369 : f32 = max(to_left_0, to_right_0);
+                var _S370 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S369 < INFINITY_0)
+                if(_S370 < INFINITY_0)
                 {
                     if(is_left_4)
                     {
@@ -5708,51 +5759,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                     }
                     else
                     {
-                        index_31 = _S366;
+                        index_31 = _S367;
                     }
                     stack_0[depth_1] = index_31;
-                    entries_0[depth_1] = _S369;
+                    entries_0[depth_1] = _S370;
                     index_31 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_31 = depth_1;
                 }
-                var _S370 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S371 : u32;
-                if(is_left_4)
-                {
-                    _S371 = _S366;
-                }
-                else
-                {
-                    _S371 = below_2;
-                }
+                var _S371 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
                 var _S372 : u32;
                 if(is_left_4)
                 {
-                    _S372 = _S367.index_28;
+                    _S372 = _S367;
                 }
                 else
                 {
-                    _S372 = _S368.index_28;
+                    _S372 = below_2;
                 }
                 var _S373 : u32;
                 if(is_left_4)
                 {
-                    _S373 = _S367.is_leaf_0;
+                    _S373 = _S368.index_28;
                 }
                 else
                 {
-                    _S373 = _S368.is_leaf_0;
+                    _S373 = _S369.index_28;
                 }
-                var _S374 : bool = _S373 != u32(0);
-                var _S375 : u32 = index_31;
-                is_done_1 = _S370;
-                is_leaf_1 = _S374;
-                index_31 = _S371;
-                below_2 = _S372;
-                depth_1 = _S375;
+                var _S374 : u32;
+                if(is_left_4)
+                {
+                    _S374 = _S368.is_leaf_0;
+                }
+                else
+                {
+                    _S374 = _S369.is_leaf_0;
+                }
+                var _S375 : bool = _S374 != u32(0);
+                var _S376 : u32 = index_31;
+                is_done_1 = _S371;
+                is_leaf_1 = _S375;
+                index_31 = _S372;
+                below_2 = _S373;
+                depth_1 = _S376;
             }
             is_leaf_2 = is_leaf_1;
             index_30 = index_31;
@@ -5761,17 +5812,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         {
             break;
         }
-        var _S376 : Hit_0 = hit_in_0(below_2, &(ray_23));
-        var _S377 : Hit_0 = nearest_4;
-        if((_S376.t_0) < (nearest_4.t_0))
+        var _S377 : Hit_0 = hit_in_0(below_2, &(ray_23));
+        var _S378 : Hit_0 = nearest_4;
+        if((_S377.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S376.t_0) == (_S377.t_0))
+            if((_S377.t_0) == (_S378.t_0))
             {
-                is_leaf_1 = (_S376.instance_1) < (nearest_4.instance_1);
+                is_leaf_1 = (_S377.instance_1) < (nearest_4.instance_1);
             }
             else
             {
@@ -5780,12 +5831,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         if(is_leaf_1)
         {
-            ray_23.t_max_0 = _S376.t_0;
+            ray_23.t_max_0 = _S377.t_0;
             if(is_any_enough_0)
             {
-                return _S376;
+                return _S377;
             }
-            nearest_4 = _S376;
+            nearest_4 = _S377;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -5796,33 +5847,33 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
 
 fn WalkTracer_trace_0( ray_24 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S378 : Hit_0 = visit_0(&((*ray_24)), is_any_enough_1, u32(0));
-    return _S378;
+    var _S379 : Hit_0 = visit_0(&((*ray_24)), is_any_enough_1, u32(0));
+    return _S379;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_25 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S379 : Hit_0 = WalkTracer_trace_0(&((*ray_25)), is_shadow_ray_1);
-    return _S379;
+    var _S380 : Hit_0 = WalkTracer_trace_0(&((*ray_25)), is_shadow_ray_1);
+    return _S380;
 }
 
 fn goes_on_4( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
     var beyond_10 : u32 = u32(4294967295);
-    var _S380 : Ray_0 = (*at_10).ray_10;
-    var _S381 : Path_0 = (*at_10).path_7;
-    var _S382 : Inside_0 = (*at_10).shadow_inside_2;
-    var _S383 : bool = (*at_10).relocates_2;
-    var _S384 : bool = (*at_10).path_relocates_2;
-    var _S385 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S380), false, &(_S381), &(_S382), &(_S383), &(_S384), &(beyond_10));
-    (*at_10).ray_10 = _S380;
-    (*at_10).path_7 = _S381;
-    (*at_10).shadow_inside_2 = _S382;
-    (*at_10).relocates_2 = _S383;
-    (*at_10).path_relocates_2 = _S384;
-    var _S386 : bool = goes_on_from_0(&((*at_10)), _S385, beyond_10, &((*sample_13)));
-    return _S386;
+    var _S381 : Ray_0 = (*at_10).ray_10;
+    var _S382 : Path_0 = (*at_10).path_7;
+    var _S383 : Inside_0 = (*at_10).shadow_inside_2;
+    var _S384 : bool = (*at_10).relocates_2;
+    var _S385 : bool = (*at_10).path_relocates_2;
+    var _S386 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S381), false, &(_S382), &(_S383), &(_S384), &(_S385), &(beyond_10));
+    (*at_10).ray_10 = _S381;
+    (*at_10).path_7 = _S382;
+    (*at_10).shadow_inside_2 = _S383;
+    (*at_10).relocates_2 = _S384;
+    (*at_10).path_relocates_2 = _S385;
+    var _S387 : bool = goes_on_from_0(&((*at_10)), _S386, beyond_10, &((*sample_13)));
+    return _S387;
 }
 
 fn Walker_arrives_0( this_49 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_11 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
@@ -5841,48 +5892,48 @@ fn place_of_found_0( place_6 : u32) -> u32
 
 fn count_arrival_0( ray_26 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S387 : i32;
+    var _S388 : i32;
     if(has_arrived_0)
     {
-        _S387 = i32(65537);
+        _S388 = i32(65537);
     }
     else
     {
-        _S387 = i32(1);
+        _S388 = i32(1);
     }
-    var _S388 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_26))]), u32(_S387));
+    var _S389 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_26))]), u32(_S388));
     return;
 }
 
 fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S389 : Hit_0 = miss_0();
+    var _S390 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
-    var _S390 : bool = (*at_11).is_shadow_ray_0;
+    var _S391 : bool = (*at_11).is_shadow_ray_0;
     var hit_16 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S391 : Ray_0 = (*at_11).ray_10;
-        var _S392 : Path_0 = (*at_11).path_7;
-        var _S393 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S394 : bool = (*at_11).relocates_2;
-        var _S395 : bool = (*at_11).path_relocates_2;
-        var _S396 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S391), _S390, &(_S392), &(_S393), &(_S394), &(_S395), &(beyond_12));
-        (*at_11).ray_10 = _S391;
-        (*at_11).path_7 = _S392;
-        (*at_11).shadow_inside_2 = _S393;
-        (*at_11).relocates_2 = _S394;
-        (*at_11).path_relocates_2 = _S395;
-        if(_S390)
+        var _S392 : Ray_0 = (*at_11).ray_10;
+        var _S393 : Path_0 = (*at_11).path_7;
+        var _S394 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S395 : bool = (*at_11).relocates_2;
+        var _S396 : bool = (*at_11).path_relocates_2;
+        var _S397 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S392), _S391, &(_S393), &(_S394), &(_S395), &(_S396), &(beyond_12));
+        (*at_11).ray_10 = _S392;
+        (*at_11).path_7 = _S393;
+        (*at_11).shadow_inside_2 = _S394;
+        (*at_11).relocates_2 = _S395;
+        (*at_11).path_relocates_2 = _S396;
+        if(_S391)
         {
             var to_light_0 : Ray_0 = (*at_11).ray_10;
-            var _S397 : vec3<f32> = (*sample_14).light_6;
-            var _S398 : bool = Walker_arrives_0(&((*at_11)), _S396, beyond_12, &(_S397));
-            (*sample_14).light_6 = _S397;
-            (*at_11).is_shadow_ray_0 = _S398;
+            var _S398 : vec3<f32> = (*sample_14).light_6;
+            var _S399 : bool = Walker_arrives_0(&((*at_11)), _S397, beyond_12, &(_S398));
+            (*sample_14).light_6 = _S398;
+            (*at_11).is_shadow_ray_0 = _S399;
             if((*at_11).counts_0)
             {
-                count_arrival_0(to_light_0, Hit_is_miss_0(_S396));
+                count_arrival_0(to_light_0, Hit_is_miss_0(_S397));
             }
             (*at_11).counts_0 = false;
             if((*at_11).is_shadow_ray_0)
@@ -5892,14 +5943,14 @@ fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_16 = _S396;
+        hit_16 = _S397;
     }
     else
     {
-        hit_16 = _S389;
+        hit_16 = _S390;
     }
-    var _S399 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
-    return _S399;
+    var _S400 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
+    return _S400;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5909,11 +5960,11 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S400 : Sampler_0;
-    _S400.seed_1 = seed_3;
-    _S400.pixel_0 = pixel_1;
-    _S400.sample_0 = sample_15;
-    return _S400;
+    var _S401 : Sampler_0;
+    _S401.seed_1 = seed_3;
+    _S401.pixel_0 = pixel_1;
+    _S401.sample_0 = sample_15;
+    return _S401;
 }
 
 struct Item_0
@@ -5928,14 +5979,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S401 : Item_0;
-    _S401.traces_0 = traces_1;
-    _S401.kind_2 = kind_3;
-    _S401.at_12 = at_13;
-    _S401.place_7 = place_8;
-    _S401.slot_0 = slot_1;
-    _S401.sampler_3 = sampler_4;
-    return _S401;
+    var _S402 : Item_0;
+    _S402.traces_0 = traces_1;
+    _S402.kind_2 = kind_3;
+    _S402.at_12 = at_13;
+    _S402.place_7 = place_8;
+    _S402.slot_0 = slot_1;
+    _S402.sampler_3 = sampler_4;
+    return _S402;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -5989,58 +6040,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S402 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S402;
+        var _S403 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S403;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S403 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S403);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S403 + real_time_0.number_0) & (u32(1))));
+    var _S404 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S404);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S404 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S404 : vec2<u32> = vec2<u32>(u32(5));
-    var _S405 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S404 - vec2<u32>(u32(1))) / _S404;
-    return _S405;
+    var _S405 : vec2<u32> = vec2<u32>(u32(5));
+    var _S406 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S405 - vec2<u32>(u32(1))) / _S405;
+    return _S406;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S406 : u32 = square_1 % columns_1;
-    var _S407 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S406, _S407);
-    var _S408 : vec2<u32> = vec2<u32>(u32(5));
-    var _S409 : vec2<u32> = at_15 * _S408;
-    var _S410 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S408;
-    return min(_S409 + _S410, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S407 : u32 = square_1 % columns_1;
+    var _S408 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S407, _S408);
+    var _S409 : vec2<u32> = vec2<u32>(u32(5));
+    var _S410 : vec2<u32> = at_15 * _S409;
+    var _S411 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S409;
+    return min(_S410 + _S411, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S411 : bool;
+    var _S412 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S411 = (at_16.x) < i32(params_0.width_0);
+        _S412 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S411 = false;
+        _S412 = false;
     }
-    if(_S411)
+    if(_S412)
     {
-        _S411 = (at_16.y) < i32(params_0.height_0);
+        _S412 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S411 = false;
+        _S412 = false;
     }
-    return _S411;
+    return _S412;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -6062,23 +6113,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S412 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S413 : bool = number_4 < _S412;
-        item_0.traces_0 = _S413;
-        if(_S413)
+        var _S413 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S414 : bool = number_4 < _S413;
+        item_0.traces_0 = _S414;
+        if(_S414)
         {
-            var _S414 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S414;
+            var _S415 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S415;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_5 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_1(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S415 : u32 = number_4 - cells_2;
-    var _S416 : vec2<u32> = pixel_that_traces_0(_S415);
-    item_0.at_12 = _S416;
-    var square_3 : u32 = _S415 - pixels_1;
+    var _S416 : u32 = number_4 - cells_2;
+    var _S417 : vec2<u32> = pixel_that_traces_0(_S416);
+    item_0.at_12 = _S417;
+    var square_3 : u32 = _S416 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6107,133 +6158,133 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S417 : u32;
+    var _S418 : u32;
     if(is_again_0)
     {
-        _S417 = u32(3);
+        _S418 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S417 = u32(2);
+            _S418 = u32(2);
         }
         else
         {
-            _S417 = u32(1);
+            _S418 = u32(1);
         }
     }
-    item_0.kind_2 = _S417;
+    item_0.kind_2 = _S418;
     if(is_square_0)
     {
-        var _S418 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S418;
+        var _S419 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S419;
     }
-    var _S419 : bool;
+    var _S420 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S417 = real_time_0.again_0;
+            _S418 = real_time_0.again_0;
         }
         else
         {
-            _S417 = count_7;
+            _S418 = count_7;
         }
-        _S419 = square_4 < _S417;
+        _S420 = square_4 < _S418;
     }
     else
     {
-        _S419 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S420 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S419;
+    item_0.traces_0 = _S420;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S417 = u32(2);
+            _S418 = u32(2);
         }
         else
         {
-            _S417 = (frame_0 & (u32(1)));
+            _S418 = (frame_0 & (u32(1)));
         }
-        _S417 = place_of_square_0(_S417, square_4);
+        _S418 = place_of_square_0(_S418, square_4);
     }
     else
     {
-        _S417 = index_of_0(item_0.at_12);
+        _S418 = index_of_0(item_0.at_12);
     }
-    item_0.place_7 = _S417;
+    item_0.place_7 = _S418;
     if(is_square_0)
     {
-        _S417 = real_time_0.pixels_0 + square_4;
+        _S418 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S417 = item_0.place_7;
+        _S418 = item_0.place_7;
     }
-    item_0.slot_0 = _S417;
-    var _S420 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S418;
+    var _S421 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S417 = u32(3266489909);
+        _S418 = u32(3266489909);
     }
     else
     {
-        _S417 = u32(2654435769);
+        _S418 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S420 ^ (_S417)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S421 ^ (_S418)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_2 : u32,  counts_1 : bool)
 {
-    var _S421 : bool;
+    var _S422 : bool;
     if(is_of_pixel_0)
     {
-        _S421 = has_0(u32(4096));
+        _S422 = has_0(u32(4096));
     }
     else
     {
-        _S421 = false;
+        _S422 = false;
     }
-    weighs_candidates_0 = _S421;
+    weighs_candidates_0 = _S422;
     counts_arrivals_0 = false;
-    if(_S421)
+    if(_S422)
     {
-        _S421 = counts_1;
+        _S422 = counts_1;
     }
     else
     {
-        _S421 = false;
+        _S422 = false;
     }
-    if(_S421)
+    if(_S422)
     {
         var stride_1 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S422 : u32 = pixel_2 / stride_1;
-        var _S423 : u32 = (pixel_2 + u32(7) * _S422 + real_time_0.number_0) % stride_1;
-        counts_arrivals_0 = _S423 == u32(0);
+        var _S423 : u32 = pixel_2 / stride_1;
+        var _S424 : u32 = (pixel_2 + u32(7) * _S423 + real_time_0.number_0) % stride_1;
+        counts_arrivals_0 = _S424 == u32(0);
     }
     return;
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_9 : vec3<f32>,  instance_14 : u32) -> Sample_0
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S424 : Sample_0;
-    _S424.direct_0 = direct_1;
-    _S424.light_6 = light_10;
-    _S424.is_shown_0 = is_shown_1;
-    _S424.albedo_0 = albedo_1;
-    _S424.normal_4 = normal_7;
-    _S424.place_3 = place_9;
-    _S424.instance_8 = instance_14;
-    return _S424;
+    var _S425 : Sample_0;
+    _S425.direct_0 = direct_1;
+    _S425.light_6 = light_10;
+    _S425.is_shown_0 = is_shown_1;
+    _S425.albedo_0 = albedo_1;
+    _S425.normal_4 = normal_7;
+    _S425.place_3 = place_9;
+    _S425.instance_8 = instance_15;
+    return _S425;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S425 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S425, _S425, false, _S425, _S425, _S425, u32(4294967295));
+    var _S426 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S426, _S426, false, _S426, _S426, _S426, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_52 : Item_0) -> bool
@@ -6243,28 +6294,28 @@ fn Item_is_cell_0( this_52 : Item_0) -> bool
 
 fn Key_voxel_0( this_53 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S426 : u32 = Key_level_0(this_53);
-    var bits_4 : u32 = ((u32(1) << (_S426))) - u32(1);
+    var _S427 : u32 = Key_level_0(this_53);
+    var bits_4 : u32 = ((u32(1) << (_S427))) - u32(1);
     var place_10 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_53)))))));
-    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S426)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S426))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S426)))) & (bits_4))));
+    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S427)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S427))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S427)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_8 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S427 : Path_0;
-    _S427.sampler_0 = sampler_5;
-    _S427.bounce_0 = bounce_3;
-    _S427.event_0 = event_2;
-    _S427.kinds_0 = kinds_1;
-    _S427.scattered_0 = scattered_4;
-    _S427.beta_0 = beta_1;
-    _S427.pdf_1 = pdf_12;
-    _S427.normal_0 = normal_8;
-    _S427.selection_0 = selection_4;
-    _S427.passed_t_0 = passed_t_1;
-    _S427.inside_0 = inside_6;
-    _S427.is_clipped_0 = is_clipped_1;
-    return _S427;
+    var _S428 : Path_0;
+    _S428.sampler_0 = sampler_5;
+    _S428.bounce_0 = bounce_3;
+    _S428.event_0 = event_2;
+    _S428.kinds_0 = kinds_1;
+    _S428.scattered_0 = scattered_4;
+    _S428.beta_0 = beta_1;
+    _S428.pdf_1 = pdf_12;
+    _S428.normal_0 = normal_8;
+    _S428.selection_0 = selection_4;
+    _S428.passed_t_0 = passed_t_1;
+    _S428.inside_0 = inside_6;
+    _S428.is_clipped_0 = is_clipped_1;
+    return _S428;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6274,9 +6325,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S428 : f32 = z_1.z;
+    var _S429 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S428 < 0.0f)
+    if(_S429 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -6284,12 +6335,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_0 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S428);
-    var _S429 : f32 = z_1.x;
-    var _S430 : f32 = z_1.y;
-    var b_6 : f32 = _S429 * _S430 * a_6;
-    (*x_10) = vec3<f32>(1.0f + sign_0 * _S429 * _S429 * a_6, sign_0 * b_6, - sign_0 * _S429);
-    (*y_5) = vec3<f32>(b_6, sign_0 + _S430 * _S430 * a_6, - _S430);
+    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S429);
+    var _S430 : f32 = z_1.x;
+    var _S431 : f32 = z_1.y;
+    var b_6 : f32 = _S430 * _S431 * a_6;
+    (*x_10) = vec3<f32>(1.0f + sign_0 * _S430 * _S430 * a_6, sign_0 * b_6, - sign_0 * _S430);
+    (*y_5) = vec3<f32>(b_6, sign_0 + _S431 * _S431 * a_6, - _S431);
     return;
 }
 
@@ -6300,42 +6351,43 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S431 : f32 = local_5.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S431);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S431);
+    var _S432 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S432);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S432);
 }
 
-fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_10 : vec3<f32>,  face_10 : u32,  instance_15 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_10 : vec3<f32>,  face_10 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S432 : Surface_0;
-    _S432.origin_3 = origin_13;
-    _S432.normal_2 = normal_10;
-    _S432.face_1 = face_10;
-    _S432.instance_3 = instance_15;
-    return _S432;
-}
-
-fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool,  counts_2 : bool) -> Walker_0
-{
-    var _S433 : Walker_0;
-    _S433.path_7 = path_11;
-    _S433.ray_10 = ray_27;
-    _S433.is_shadow_ray_0 = is_shadow_ray_2;
-    _S433.light_5 = light_11;
-    _S433.direction_25 = direction_28;
-    _S433.path_origin_2 = path_origin_3;
-    _S433.shadow_inside_2 = shadow_inside_4;
-    _S433.boundaries_0 = boundaries_1;
-    _S433.relocates_2 = relocates_4;
-    _S433.path_relocates_2 = path_relocates_4;
-    _S433.camera_ray_0 = camera_ray_1;
-    _S433.way_2 = way_6;
-    _S433.has_shown_0 = has_shown_1;
-    _S433.asks_cache_0 = asks_cache_1;
-    _S433.life_0 = life_2;
-    _S433.is_at_cell_0 = is_at_cell_1;
-    _S433.counts_0 = counts_2;
+    var _S433 : Surface_0;
+    _S433.origin_3 = origin_13;
+    _S433.normal_2 = normal_10;
+    _S433.face_1 = face_10;
+    _S433.instance_3 = instance_16;
     return _S433;
+}
+
+fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool,  counts_2 : bool,  sees_mover_1 : bool) -> Walker_0
+{
+    var _S434 : Walker_0;
+    _S434.path_7 = path_11;
+    _S434.ray_10 = ray_27;
+    _S434.is_shadow_ray_0 = is_shadow_ray_2;
+    _S434.light_5 = light_11;
+    _S434.direction_25 = direction_28;
+    _S434.path_origin_2 = path_origin_3;
+    _S434.shadow_inside_2 = shadow_inside_4;
+    _S434.boundaries_0 = boundaries_1;
+    _S434.relocates_2 = relocates_4;
+    _S434.path_relocates_2 = path_relocates_4;
+    _S434.camera_ray_0 = camera_ray_1;
+    _S434.way_2 = way_6;
+    _S434.has_shown_0 = has_shown_1;
+    _S434.asks_cache_0 = asks_cache_1;
+    _S434.life_0 = life_2;
+    _S434.is_at_cell_0 = is_at_cell_1;
+    _S434.counts_0 = counts_2;
+    _S434.sees_mover_0 = sees_mover_1;
+    return _S434;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
@@ -6343,7 +6395,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var face_11 : u32 = ((key_3.face_and_level_0) & (u32(7)));
     var axis_6 : u32 = (face_11 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S434 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S435 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6360,17 +6412,17 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S435 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_9);
-    var origin_14 : vec3<f32> = Transform_point_0(_S435.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S435.grid_from_world_0.translation_0), _S434, face_11, _S434 + on_face_1));
-    var normal_11 : vec3<f32> = world_normal_0(_S435, face_11);
+    var _S436 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_10);
+    var origin_14 : vec3<f32> = Transform_point_0(_S436.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S436.grid_from_world_0.translation_0), _S435, face_11, _S435 + on_face_1));
+    var normal_11 : vec3<f32> = world_normal_0(_S436, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S436 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S436));
-    path_12.pdf_1 = _S436;
+    var _S437 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S437));
+    path_12.pdf_1 = _S437;
     var receiver_21 : Receiver_0 = Receiver_x24init_0(origin_14, normal_11);
     path_12.selection_0 = Lights_selection_0(receiver_21);
     path_12.normal_0 = normal_11;
-    var surface_5 : Surface_0 = Surface_x24init_0(origin_14, normal_11, face_11, key_3.instance_9);
+    var surface_5 : Surface_0 = Surface_x24init_0(origin_14, normal_11, face_11, key_3.instance_10);
     var white_0 : MaterialBsdf_0;
     white_0.kind_0 = u32(0);
     white_0.color_0 = vec3<f32>(1.0f);
@@ -6379,7 +6431,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_21, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_28 : Ray_0 = ray_from_0(origin_14, direction_29);
-    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_14, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true, false);
+    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_14, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true, false, false);
 }
 
 struct CameraFrame_0
@@ -6396,16 +6448,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S437 : CameraFrame_0;
-    _S437.lens_1 = lens_2;
-    _S437.eye_2 = eye_3;
-    _S437.corner_2 = corner_3;
-    _S437.pixel_x_1 = pixel_x_2;
-    _S437.pixel_y_1 = pixel_y_2;
-    _S437.lens_x_1 = lens_x_2;
-    _S437.lens_y_1 = lens_y_2;
-    _S437.blades_1 = blades_2;
-    return _S437;
+    var _S438 : CameraFrame_0;
+    _S438.lens_1 = lens_2;
+    _S438.eye_2 = eye_3;
+    _S438.corner_2 = corner_3;
+    _S438.pixel_x_1 = pixel_x_2;
+    _S438.pixel_y_1 = pixel_y_2;
+    _S438.lens_x_1 = lens_x_2;
+    _S438.lens_y_1 = lens_y_2;
+    _S438.blades_1 = blades_2;
+    return _S438;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6425,12 +6477,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S438 : Perspective_0;
-    _S438.eye_4 = eye_5;
-    _S438.corner_4 = corner_5;
-    _S438.pixel_x_3 = pixel_x_4;
-    _S438.pixel_y_3 = pixel_y_4;
-    return _S438;
+    var _S439 : Perspective_0;
+    _S439.eye_4 = eye_5;
+    _S439.corner_4 = corner_5;
+    _S439.pixel_x_3 = pixel_x_4;
+    _S439.pixel_y_3 = pixel_y_4;
+    return _S439;
 }
 
 struct Axes_0
@@ -6442,11 +6494,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_4 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S439 : Axes_0;
-    _S439.forward_0 = forward_1;
-    _S439.right_3 = right_4;
-    _S439.up_0 = up_1;
-    return _S439;
+    var _S440 : Axes_0;
+    _S440.forward_0 = forward_1;
+    _S440.right_3 = right_4;
+    _S440.up_0 = up_1;
+    return _S440;
 }
 
 struct ThinLens_0
@@ -6459,28 +6511,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S440 : ThinLens_0;
-    _S440.perspective_0 = perspective_1;
-    _S440.lens_x_3 = lens_x_4;
-    _S440.lens_y_3 = lens_y_4;
-    _S440.blades_3 = blades_4;
-    return _S440;
+    var _S441 : ThinLens_0;
+    _S441.perspective_0 = perspective_1;
+    _S441.lens_x_3 = lens_x_4;
+    _S441.lens_y_3 = lens_y_4;
+    _S441.blades_3 = blades_4;
+    return _S441;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_7 : f32 = 2.0f * square_5.x - 1.0f;
     var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S441 : bool;
+    var _S442 : bool;
     if(a_7 == 0.0f)
     {
-        _S441 = b_7 == 0.0f;
+        _S442 = b_7 == 0.0f;
     }
     else
     {
-        _S441 = false;
+        _S442 = false;
     }
-    if(_S441)
+    if(_S442)
     {
         return vec2<f32>(0.0f);
     }
@@ -6507,7 +6559,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S442 : f32 = abs(radius_4);
+    var _S443 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6516,7 +6568,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S442, radius_4);
+    return vec2<f32>(_S443, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6534,9 +6586,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S443 : f32 = from_0.y;
-    var _S444 : f32 = from_0.x;
-    return vec2<f32>(_S443 + (to_0.y - _S443) * share_8, _S444 + (to_0.x - _S444) * share_8) * vec2<f32>(radius_5);
+    var _S444 : f32 = from_0.y;
+    var _S445 : f32 = from_0.x;
+    return vec2<f32>(_S444 + (to_0.y - _S444) * share_8, _S445 + (to_0.x - _S445) * share_8) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_54 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6556,12 +6608,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S445 : Orthographic_0;
-    _S445.corner_6 = corner_7;
-    _S445.pixel_x_5 = pixel_x_6;
-    _S445.pixel_y_5 = pixel_y_6;
-    _S445.forward_2 = forward_3;
-    return _S445;
+    var _S446 : Orthographic_0;
+    _S446.corner_6 = corner_7;
+    _S446.pixel_x_5 = pixel_x_6;
+    _S446.pixel_y_5 = pixel_y_6;
+    _S446.forward_2 = forward_3;
+    return _S446;
 }
 
 fn Orthographic_ray_0( this_55 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6579,12 +6631,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S446 : Panorama_0;
-    _S446.eye_6 = eye_7;
-    _S446.axes_1 = axes_2;
-    _S446.inverse_size_0 = inverse_size_1;
-    _S446.half_eye_distance_0 = half_eye_distance_1;
-    return _S446;
+    var _S447 : Panorama_0;
+    _S447.eye_6 = eye_7;
+    _S447.axes_1 = axes_2;
+    _S447.inverse_size_0 = inverse_size_1;
+    _S447.half_eye_distance_0 = half_eye_distance_1;
+    return _S447;
 }
 
 fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6611,9 +6663,9 @@ fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_56.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S447 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S448 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S448 - this_56.axes_1.right_3 * _S447) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S447 + this_56.axes_1.right_3 * _S448) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S448 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S449 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S449 - this_56.axes_1.right_3 * _S448) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S448 + this_56.axes_1.right_3 * _S449) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6626,12 +6678,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S449 : Fisheye_0;
-    _S449.eye_8 = eye_9;
-    _S449.axes_3 = axes_4;
-    _S449.middle_1 = middle_2;
-    _S449.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S449;
+    var _S450 : Fisheye_0;
+    _S450.eye_8 = eye_9;
+    _S450.axes_3 = axes_4;
+    _S450.middle_1 = middle_2;
+    _S450.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S450;
 }
 
 fn Fisheye_ray_0( this_57 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6694,29 +6746,29 @@ fn camera_ray_2( pixel_3 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 
 fn Item_asks_cache_0( this_60 : Item_0) -> bool
 {
-    var _S450 : bool;
+    var _S451 : bool;
     if(Item_is_cell_0(this_60))
     {
-        _S450 = true;
+        _S451 = true;
     }
     else
     {
         if((this_60.kind_2) == u32(1))
         {
-            _S450 = has_0(u32(1));
+            _S451 = has_0(u32(1));
         }
         else
         {
-            _S450 = false;
+            _S451 = false;
         }
     }
-    return _S450;
+    return _S451;
 }
 
 fn at_camera_0( ray_29 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S451 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S451, _S451, _S451, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false, false);
+    var _S452 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S452, _S452, _S452, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false, false, false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6730,10 +6782,10 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     {
         var rank_7 : u32;
         var key_4 : Key_0 = Item_key_0(this_61, &(rank_7));
-        var _S452 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
-        return _S452;
+        var _S453 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
+        return _S453;
     }
-    var _S453 : CameraFrame_0 = FrameParams_camera_0();
+    var _S454 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_61.kind_2) == u32(3))
     {
@@ -6741,15 +6793,15 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S453;
+        camera_1 = _S454;
     }
     return at_camera_0(camera_ray_2(this_61.at_12, camera_1, this_61.sampler_3), this_61.sampler_3, Item_asks_cache_0(this_61));
 }
 
 fn packed_normal_0( normal_12 : vec3<f32>) -> u32
 {
-    var _S454 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
-    return (((((u32(_S454.x) & (u32(1023)))) | (((((u32(_S454.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S454.z) & (u32(1023)))) << (u32(20))))));
+    var _S455 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
+    return (((((u32(_S455.x) & (u32(1023)))) | (((((u32(_S455.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S455.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
@@ -6760,17 +6812,17 @@ fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
 
 fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 {
-    var _S455 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S456 : u32;
+    var _S456 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S457 : u32;
     if(sample_16.is_shown_0)
     {
-        _S456 = u32(1073741824);
+        _S457 = u32(1073741824);
     }
     else
     {
-        _S456 = u32(0);
+        _S457 = u32(0);
     }
-    var normal_13 : u32 = (_S455 | (_S456));
+    var normal_13 : u32 = (_S456 | (_S457));
     set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
     set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
     set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
@@ -6783,16 +6835,16 @@ fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S457 : f32;
+    var _S458 : f32;
     if(sample_17.is_shown_0)
     {
-        _S457 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S458 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S457 = 0.0f;
+        _S458 = 0.0f;
     }
-    return _S457;
+    return _S458;
 }
 
 fn Item_end_0( this_62 : Item_0,  sample_18 : Sample_0)
@@ -6824,8 +6876,8 @@ fn follow_0( item_1 : Item_0,  counts_3 : bool)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S458 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S458;
+        var _S459 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S459;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6841,8 +6893,8 @@ fn follow_0( item_1 : Item_0,  counts_3 : bool)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S459 : bool = goes_on_5(&(at_18), &(sample_19));
-            is_under_way_0 = _S459;
+            var _S460 : bool = goes_on_5(&(at_18), &(sample_19));
+            is_under_way_0 = _S460;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6861,8 +6913,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S460 : Item_0 = item_of_0(id_0.x);
-    follow_0(_S460, true);
+    var _S461 : Item_0 = item_of_0(id_0.x);
+    follow_0(_S461, true);
     return;
 }
 
@@ -6874,13 +6926,13 @@ fn trace_left(@builtin(global_invocation_id) id_1 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S461 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
-    var number_5 : u32 = _S461 + id_1.x;
-    var _S462 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
-    if(number_5 < _S462)
+    var _S462 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
+    var number_5 : u32 = _S462 + id_1.x;
+    var _S463 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
+    if(number_5 < _S463)
     {
-        var _S463 : Item_0 = item_of_0(rest_0[number_5]);
-        follow_0(_S463, false);
+        var _S464 : Item_0 = item_of_0(rest_0[number_5]);
+        follow_0(_S464, false);
     }
     return;
 }
@@ -6893,8 +6945,8 @@ fn trace_before(@builtin(global_invocation_id) id_2 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S464 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
-    follow_0(_S464, false);
+    var _S465 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
+    follow_0(_S465, false);
     return;
 }
 
@@ -6908,18 +6960,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S465 : Lit_0;
-    _S465.paths_0 = paths_1;
-    _S465.light_12 = light_13;
-    _S465.shaded_0 = shaded_1;
-    _S465.moments_0 = moments_1;
-    return _S465;
+    var _S466 : Lit_0;
+    _S466.paths_0 = paths_1;
+    _S466.light_12 = light_13;
+    _S466.shaded_0 = shaded_1;
+    _S466.moments_0 = moments_1;
+    return _S466;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S466 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S466, _S466, _S466);
+    var _S467 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S467, _S467, _S467);
 }
 
 struct Memory_0
@@ -6938,24 +6990,24 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_13 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32,  shown_1 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
-    var _S467 : Memory_0;
-    _S467.lit_0 = lit_1;
-    _S467.looks_0 = looks_1;
-    _S467.direct_2 = direct_3;
-    _S467.albedo_2 = albedo_3;
-    _S467.normal_14 = normal_15;
-    _S467.place_12 = place_13;
-    _S467.roughness_1 = roughness_2;
-    _S467.coverage_0 = coverage_1;
-    _S467.shown_0 = shown_1;
-    _S467.is_at_rest_0 = is_at_rest_1;
-    return _S467;
+    var _S468 : Memory_0;
+    _S468.lit_0 = lit_1;
+    _S468.looks_0 = looks_1;
+    _S468.direct_2 = direct_3;
+    _S468.albedo_2 = albedo_3;
+    _S468.normal_14 = normal_15;
+    _S468.place_12 = place_13;
+    _S468.roughness_1 = roughness_2;
+    _S468.coverage_0 = coverage_1;
+    _S468.shown_0 = shown_1;
+    _S468.is_at_rest_0 = is_at_rest_1;
+    return _S468;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S468 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S468, _S468, _S468, _S468, 0.0f, 0.0f, u32(0), false);
+    var _S469 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S469, _S469, _S469, _S469, 0.0f, 0.0f, u32(0), false);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -6982,12 +7034,12 @@ fn Lit_products_0( this_63 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S469 : u32 = words_3.x;
-    var _S470 : u32 = words_3.y;
-    var _S471 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S469), high_half_0(_S469), low_half_0(_S470)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S471;
-    var _S472 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S471, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S470), low_half_0(_S472), high_half_0(_S472)));
+    var _S470 : u32 = words_3.x;
+    var _S471 : u32 = words_3.y;
+    var _S472 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S470), high_half_0(_S470), low_half_0(_S471)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S472;
+    var _S473 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S472, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S471), low_half_0(_S473), high_half_0(_S473)));
     return lit_2;
 }
 
@@ -7011,19 +7063,19 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S473 : u32 = seen_0.x;
-    var _S474 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S474));
-    var _S475 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S474), low_half_0(_S475), high_half_0(_S475));
-    var _S476 : u32 = surface_6.w;
-    memory_0.normal_14 = normal_in_0(_S476);
+    var _S474 : u32 = seen_0.x;
+    var _S475 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S474), high_half_0(_S474), low_half_0(_S475));
+    var _S476 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S475), low_half_0(_S476), high_half_0(_S476));
+    var _S477 : u32 = surface_6.w;
+    memory_0.normal_14 = normal_in_0(_S477);
     memory_0.place_12 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S477 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S477);
-    memory_0.coverage_0 = low_half_0(_S477);
+    var _S478 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S478);
+    memory_0.coverage_0 = low_half_0(_S478);
     memory_0.shown_0 = seen_0.w;
-    memory_0.is_at_rest_0 = ((_S476 & (u32(2147483648)))) != u32(0);
+    memory_0.is_at_rest_0 = ((_S477 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -7044,9 +7096,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S478 : u32 = light_16.y;
-    var _S479 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S478), vec3<f32>(low_half_0(_S479), high_half_0(_S479), low_half_0(_S478)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S479 : u32 = light_16.y;
+    var _S480 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S479), vec3<f32>(low_half_0(_S480), high_half_0(_S480), low_half_0(_S479)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -7085,20 +7137,20 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S480 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S480);
-    sample_20.is_shown_0 = ((_S480 & (u32(1073741824)))) != u32(0);
+    var _S481 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S481);
+    sample_20.is_shown_0 = ((_S481 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S481 : f32 = (*this_65).looks_0 + 1.0f;
-    (*this_65).looks_0 = _S481;
-    var share_9 : f32 = 1.0f / _S481;
-    var _S482 : vec3<f32> = vec3<f32>(share_9);
-    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S482;
-    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S482;
+    var _S482 : f32 = (*this_65).looks_0 + 1.0f;
+    (*this_65).looks_0 = _S482;
+    var share_9 : f32 = 1.0f / _S482;
+    var _S483 : vec3<f32> = vec3<f32>(share_9);
+    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S483;
+    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S483;
     if(!sample_21.is_shown_0)
     {
         (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_9;
@@ -7108,9 +7160,9 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_65).coverage_0 = covered_0 * share_9;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_65).place_12;
-    var _S483 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S483);
-    (*this_65).place_12 = (*this_65).place_12 + (sample_21.place_3 - (*this_65).place_12) * _S483;
+    var _S484 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S484);
+    (*this_65).place_12 = (*this_65).place_12 + (sample_21.place_3 - (*this_65).place_12) * _S484;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_65).normal_14, sample_21.place_3 - before_0);
@@ -7121,46 +7173,45 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 
 fn Lit_add_0( this_66 : ptr<function, Lit_0>,  found_3 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S484 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
-    (*this_66).paths_0 = _S484;
+    var _S485 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
+    (*this_66).paths_0 = _S485;
     var l_1 : f32 = luminance_0(found_3);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S485 : vec3<f32> = vec3<f32>((1.0f / _S484));
-    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S485;
-    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S485;
-    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S485;
+    var _S486 : vec3<f32> = vec3<f32>((1.0f / _S485));
+    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S486;
+    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S486;
+    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S486;
     return;
 }
 
 fn Memory_add_0( this_67 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_67)), sample_22);
-    var _S486 : Lit_0 = (*this_67).lit_0;
-    Lit_add_0(&(_S486), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_67).lit_0 = _S486;
+    var _S487 : Lit_0 = (*this_67).lit_0;
+    Lit_add_0(&(_S487), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_67).lit_0 = _S487;
     return;
 }
 
 fn shows_mover_0( sample_23 : Sample_0) -> bool
 {
-    if((real_time_0.motions_0) == u32(0))
+    var _S488 : bool;
+    if((real_time_0.motions_0) != u32(0))
     {
-        return false;
-    }
-    if(!sample_23.is_shown_0)
-    {
-        return (any(((sample_23.albedo_0) > vec3<f32>(0.0f))));
-    }
-    var _S487 : bool;
-    if((sample_23.instance_8) >= (real_time_0.motions_0))
-    {
-        _S487 = true;
+        if((sample_23.instance_8) == u32(4294967295))
+        {
+            _S488 = true;
+        }
+        else
+        {
+            _S488 = is_mover_0(sample_23.instance_8);
+        }
     }
     else
     {
-        _S487 = (motions_1[u32(4) * sample_23.instance_8 + u32(3)].x) != 0.0f;
+        _S488 = false;
     }
-    return _S487;
+    return _S488;
 }
 
 fn shifted_0( numbers_0 : vec4<f32>,  by_0 : u32) -> vec4<f32>
@@ -7181,24 +7232,24 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S488 : bool;
+    var _S489 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S488 = true;
+        _S489 = true;
     }
     else
     {
-        _S488 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S489 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S488)
+    if(_S489)
     {
-        _S488 = true;
+        _S489 = true;
     }
     else
     {
-        _S488 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S489 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S488;
+    return _S489;
 }
 
 fn halves_1( low_15 : f32,  high_6 : f32) -> u32
@@ -7209,8 +7260,8 @@ fn halves_1( low_15 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_68 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_68, kept_1);
-    var _S489 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S489), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S489);
+    var _S490 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S490), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S490);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7225,26 +7276,26 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S490 : u32 = packed_normal_0(memory_2.normal_14);
-    var _S491 : u32;
+    var _S491 : u32 = packed_normal_0(memory_2.normal_14);
+    var _S492 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S491 = u32(1073741824);
+        _S492 = u32(1073741824);
     }
     else
     {
-        _S491 = u32(0);
+        _S492 = u32(0);
     }
-    var _S492 : u32 = (_S490 | (_S491));
+    var _S493 : u32 = (_S491 | (_S492));
     if(memory_2.is_at_rest_0)
     {
-        _S491 = u32(2147483648);
+        _S492 = u32(2147483648);
     }
     else
     {
-        _S491 = u32(0);
+        _S492 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_12))), (_S492 | (_S491)));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_12))), (_S493 | (_S492)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_0);
@@ -7274,16 +7325,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_at_rest_2 = (memory_3.looks_0) == 0.0f;
         }
-        var _S493 : f32;
+        var _S494 : f32;
         if(memory_3.is_at_rest_0)
         {
-            _S493 = max(real_time_0.most_paths_0, 256.0f);
+            _S494 = max(real_time_0.most_paths_0, 256.0f);
         }
         else
         {
-            _S493 = real_time_0.most_paths_0;
+            _S494 = real_time_0.most_paths_0;
         }
-        Memory_add_0(&(memory_3), sample_24, _S493);
+        Memory_add_0(&(memory_3), sample_24, _S494);
         if(is_at_rest_2)
         {
             is_at_rest_2 = !shows_mover_0(sample_24);
@@ -7304,15 +7355,15 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         }
         if(is_in_motion_0)
         {
-            _S493 = 4.0f;
+            _S494 = 4.0f;
         }
         else
         {
-            _S493 = 16.0f;
+            _S494 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S494 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S494;
+        var _S495 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S495;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7326,17 +7377,17 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S495 : f32 = memory_3.looks_0;
-                    var _S496 : f32;
+                    var _S496 : f32 = memory_3.looks_0;
+                    var _S497 : f32;
                     if(differs_0)
                     {
-                        _S496 = _S493;
+                        _S497 = _S494;
                     }
                     else
                     {
-                        _S496 = 4.0f;
+                        _S497 = 4.0f;
                     }
-                    is_at_rest_2 = _S495 < _S496;
+                    is_at_rest_2 = _S496 < _S497;
                 }
                 else
                 {
@@ -7354,7 +7405,7 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(looking_ray_0(at_19, looks_3), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S494;
+                seen_1 = _S495;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_4(&(look_0), &(seen_1));
@@ -7369,16 +7420,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
                     is_in_motion_0 = differ_0(seen_1, sample_24);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                var _S497 : bool;
+                var _S498 : bool;
                 if(memory_3.is_at_rest_0)
                 {
-                    _S497 = !shows_mover_0(seen_1);
+                    _S498 = !shows_mover_0(seen_1);
                 }
                 else
                 {
-                    _S497 = false;
+                    _S498 = false;
                 }
-                memory_3.is_at_rest_0 = _S497;
+                memory_3.is_at_rest_0 = _S498;
                 differs_0 = is_in_motion_0;
             }
             is_under_way_1 = is_under_way_2;

@@ -1389,7 +1389,7 @@ fn Sample_x24init_0( direct_1 : vec3<f32>,  light_9 : vec3<f32>,  is_shown_1 : b
 fn no_sample_0() -> Sample_0
 {
     var _S125 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S125, _S125, false, _S125, _S125, _S125, u32(4294967295));
+    return Sample_x24init_0(_S125, _S125, false, _S125, _S125, _S125, u32(4294967294));
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -1512,26 +1512,39 @@ fn not_lit_0() -> Lit_0
     return Lit_x24init_0(0.0f, _S132, _S132, _S132);
 }
 
-fn shows_mover_0( sample_2 : Sample_0) -> bool
+fn is_mover_0( instance_4 : u32) -> bool
 {
-    if((real_time_0.motions_0) == u32(0))
-    {
-        return false;
-    }
-    if(!sample_2.is_shown_0)
-    {
-        return (any(((sample_2.albedo_0) > vec3<f32>(0.0f))));
-    }
     var _S133 : bool;
-    if((sample_2.instance_2) >= (real_time_0.motions_0))
+    if(instance_4 < (real_time_0.motions_0))
     {
-        _S133 = true;
+        _S133 = (motions_1[u32(4) * instance_4 + u32(3)].x) != 0.0f;
     }
     else
     {
-        _S133 = (motions_1[u32(4) * sample_2.instance_2 + u32(3)].x) != 0.0f;
+        _S133 = false;
     }
     return _S133;
+}
+
+fn shows_mover_0( sample_2 : Sample_0) -> bool
+{
+    var _S134 : bool;
+    if((real_time_0.motions_0) != u32(0))
+    {
+        if((sample_2.instance_2) == u32(4294967295))
+        {
+            _S134 = true;
+        }
+        else
+        {
+            _S134 = is_mover_0(sample_2.instance_2);
+        }
+    }
+    else
+    {
+        _S134 = false;
+    }
+    return _S134;
 }
 
 struct Wanted_0
@@ -1544,12 +1557,12 @@ struct Wanted_0
 
 fn Wanted_x24init_0( is_shown_3 : bool,  place_7 : vec3<f32>,  normal_4 : vec3<f32>,  tolerance_1 : f32) -> Wanted_0
 {
-    var _S134 : Wanted_0;
-    _S134.is_shown_2 = is_shown_3;
-    _S134.place_6 = place_7;
-    _S134.normal_3 = normal_4;
-    _S134.tolerance_0 = tolerance_1;
-    return _S134;
+    var _S135 : Wanted_0;
+    _S135.is_shown_2 = is_shown_3;
+    _S135.place_6 = place_7;
+    _S135.normal_3 = normal_4;
+    _S135.tolerance_0 = tolerance_1;
+    return _S135;
 }
 
 struct CameraFrame_0
@@ -1566,16 +1579,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S135 : CameraFrame_0;
-    _S135.lens_1 = lens_2;
-    _S135.eye_2 = eye_3;
-    _S135.corner_1 = corner_2;
-    _S135.pixel_x_1 = pixel_x_2;
-    _S135.pixel_y_1 = pixel_y_2;
-    _S135.lens_x_1 = lens_x_2;
-    _S135.lens_y_1 = lens_y_2;
-    _S135.blades_1 = blades_2;
-    return _S135;
+    var _S136 : CameraFrame_0;
+    _S136.lens_1 = lens_2;
+    _S136.eye_2 = eye_3;
+    _S136.corner_1 = corner_2;
+    _S136.pixel_x_1 = pixel_x_2;
+    _S136.pixel_y_1 = pixel_y_2;
+    _S136.lens_x_1 = lens_x_2;
+    _S136.lens_y_1 = lens_y_2;
+    _S136.blades_1 = blades_2;
+    return _S136;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -1590,12 +1603,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S136 : Perspective_0;
-    _S136.eye_4 = eye_5;
-    _S136.corner_3 = corner_4;
-    _S136.pixel_x_3 = pixel_x_4;
-    _S136.pixel_y_3 = pixel_y_4;
-    return _S136;
+    var _S137 : Perspective_0;
+    _S137.eye_4 = eye_5;
+    _S137.corner_3 = corner_4;
+    _S137.pixel_x_3 = pixel_x_4;
+    _S137.pixel_y_3 = pixel_y_4;
+    return _S137;
 }
 
 struct Axes_0
@@ -1607,11 +1620,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S137 : Axes_0;
-    _S137.forward_0 = forward_1;
-    _S137.right_0 = right_1;
-    _S137.up_0 = up_1;
-    return _S137;
+    var _S138 : Axes_0;
+    _S138.forward_0 = forward_1;
+    _S138.right_0 = right_1;
+    _S138.up_0 = up_1;
+    return _S138;
 }
 
 struct ThinLens_0
@@ -1624,28 +1637,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S138 : ThinLens_0;
-    _S138.perspective_0 = perspective_1;
-    _S138.lens_x_3 = lens_x_4;
-    _S138.lens_y_3 = lens_y_4;
-    _S138.blades_3 = blades_4;
-    return _S138;
+    var _S139 : ThinLens_0;
+    _S139.perspective_0 = perspective_1;
+    _S139.lens_x_3 = lens_x_4;
+    _S139.lens_y_3 = lens_y_4;
+    _S139.blades_3 = blades_4;
+    return _S139;
 }
 
 fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
 {
     var a_2 : f32 = 2.0f * square_3.x - 1.0f;
     var b_3 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S139 : bool;
+    var _S140 : bool;
     if(a_2 == 0.0f)
     {
-        _S139 = b_3 == 0.0f;
+        _S140 = b_3 == 0.0f;
     }
     else
     {
-        _S139 = false;
+        _S140 = false;
     }
-    if(_S139)
+    if(_S140)
     {
         return vec2<f32>(0.0f);
     }
@@ -1672,7 +1685,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S140 : f32 = abs(radius_0);
+    var _S141 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -1681,7 +1694,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S140, radius_0);
+    return vec2<f32>(_S141, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1727,18 +1740,18 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_3 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S141 : f32 = from_0.y;
-    var _S142 : f32 = from_0.x;
-    return vec2<f32>(_S141 + (to_0.y - _S141) * share_3, _S142 + (to_0.x - _S142) * share_3) * vec2<f32>(radius_1);
+    var _S142 : f32 = from_0.y;
+    var _S143 : f32 = from_0.x;
+    return vec2<f32>(_S142 + (to_0.y - _S142) * share_3, _S143 + (to_0.x - _S143) * share_3) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S143 : i32 = i32(guess_1);
-    var root_0 : i32 = _S143 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S143 + root_0);
+    var _S144 : i32 = i32(guess_1);
+    var root_0 : i32 = _S144 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S144 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -1748,13 +1761,13 @@ fn square_root_0( value_3 : f32) -> f32
     {
         return sqrt(value_3);
     }
-    var _S144 : u32 = (bitcast<u32>((value_3)));
-    var exponent_2 : u32 = (_S144 >> (u32(23)));
+    var _S145 : u32 = (bitcast<u32>((value_3)));
+    var exponent_2 : u32 = (_S145 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_3);
     }
-    var mantissa_1 : u32 = (((((_S144 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S145 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1773,12 +1786,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S145 : Ray_0;
-    _S145.origin_0 = origin_1;
-    _S145.t_min_0 = t_min_1;
-    _S145.direction_0 = direction_1;
-    _S145.t_max_0 = t_max_1;
-    return _S145;
+    var _S146 : Ray_0;
+    _S146.origin_0 = origin_1;
+    _S146.t_min_0 = t_min_1;
+    _S146.direction_0 = direction_1;
+    _S146.t_max_0 = t_max_1;
+    return _S146;
 }
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
@@ -1803,12 +1816,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S146 : Orthographic_0;
-    _S146.corner_5 = corner_6;
-    _S146.pixel_x_5 = pixel_x_6;
-    _S146.pixel_y_5 = pixel_y_6;
-    _S146.forward_2 = forward_3;
-    return _S146;
+    var _S147 : Orthographic_0;
+    _S147.corner_5 = corner_6;
+    _S147.pixel_x_5 = pixel_x_6;
+    _S147.pixel_y_5 = pixel_y_6;
+    _S147.forward_2 = forward_3;
+    return _S147;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -1826,12 +1839,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S147 : Panorama_0;
-    _S147.eye_6 = eye_7;
-    _S147.axes_0 = axes_1;
-    _S147.inverse_size_0 = inverse_size_1;
-    _S147.half_eye_distance_0 = half_eye_distance_1;
-    return _S147;
+    var _S148 : Panorama_0;
+    _S148.eye_6 = eye_7;
+    _S148.axes_0 = axes_1;
+    _S148.inverse_size_0 = inverse_size_1;
+    _S148.half_eye_distance_0 = half_eye_distance_1;
+    return _S148;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -1858,9 +1871,9 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S148 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S149 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S149 - this_4.axes_0.right_0 * _S148) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S148 + this_4.axes_0.right_0 * _S149) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S149 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S150 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S150 - this_4.axes_0.right_0 * _S149) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S149 + this_4.axes_0.right_0 * _S150) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
@@ -1873,12 +1886,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S150 : Fisheye_0;
-    _S150.eye_8 = eye_9;
-    _S150.axes_2 = axes_3;
-    _S150.middle_0 = middle_1;
-    _S150.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S150;
+    var _S151 : Fisheye_0;
+    _S151.eye_8 = eye_9;
+    _S151.axes_2 = axes_3;
+    _S151.middle_0 = middle_1;
+    _S151.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S151;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -1937,8 +1950,8 @@ fn cubic_weights_0( t_0 : f32) -> vec4<f32>
 {
     var tt_0 : f32 = t_0 * t_0;
     var ttt_0 : f32 = tt_0 * t_0;
-    var _S151 : f32 = 3.0f * ttt_0;
-    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S151 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S151 + t_0, ttt_0 - tt_0);
+    var _S152 : f32 = 3.0f * ttt_0;
+    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S152 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S152 + t_0, ttt_0 - tt_0);
 }
 
 fn shown_in_0( word_3 : u32) -> vec3<f32>
@@ -1948,17 +1961,17 @@ fn shown_in_0( word_3 : u32) -> vec3<f32>
 
 fn word_of_0( color_17 : vec3<f32>) -> u32
 {
-    var _S152 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
-    var _S153 : i32 = max(i32(((bitcast<u32>((max(max(_S152.x, _S152.y), _S152.z)))) >> (u32(23)))) - i32(126), i32(-15));
-    var parts_0 : vec3<u32> = min(vec3<u32>(_S152 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S153) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
-    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S153 + i32(15)) << (u32(27)))))), u32(134217728));
+    var _S153 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
+    var _S154 : i32 = max(i32(((bitcast<u32>((max(max(_S153.x, _S153.y), _S153.z)))) >> (u32(23)))) - i32(126), i32(-15));
+    var parts_0 : vec3<u32> = min(vec3<u32>(_S153 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S154) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
+    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S154 + i32(15)) << (u32(27)))))), u32(134217728));
 }
 
 fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>) -> u32
 {
-    var _S154 : vec3<f32> = vec3<f32>(0.0f);
+    var _S155 : vec3<f32> = vec3<f32>(0.0f);
     var place_9 : i32 = i32(0);
-    var sum_6 : vec3<f32> = _S154;
+    var sum_6 : vec3<f32> = _S155;
     for(;;)
     {
         if(place_9 < i32(16))
@@ -1968,15 +1981,15 @@ fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>)
         {
             break;
         }
-        var _S155 : i32 = (place_9 & (i32(3)));
-        var _S156 : i32 = (place_9 >> (u32(2)));
-        var _S157 : vec2<i32> = vec2<i32>(i32(1));
-        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S155, _S156) - _S157, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S157)))).w;
+        var _S156 : i32 = (place_9 & (i32(3)));
+        var _S157 : i32 = (place_9 >> (u32(2)));
+        var _S158 : vec2<i32> = vec2<i32>(i32(1));
+        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S156, _S157) - _S158, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S158)))).w;
         if(word_4 == u32(0))
         {
             return u32(0);
         }
-        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S155] * down_0[_S156]));
+        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S156] * down_0[_S157]));
         place_9 = place_9 + i32(1);
         sum_6 = sum_7;
     }
@@ -1991,29 +2004,29 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     {
         return (low_half_0(word_5)) < 0.44600000977516174f;
     }
-    var _S158 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S158);
+    var _S159 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S159);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_6));
     var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_5));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S159 : bool;
-    if(((_S158 & (u32(1073741824)))) != u32(0))
+    var _S160 : bool;
+    if(((_S159 & (u32(1073741824)))) != u32(0))
     {
-        _S159 = distance_1 <= tolerance_2;
+        _S160 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S159 = false;
+        _S160 = false;
     }
-    if(_S159)
+    if(_S160)
     {
-        _S159 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S160 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S159 = false;
+        _S160 = false;
     }
-    return _S159;
+    return _S160;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -2023,16 +2036,16 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S160 : u32;
+    var _S161 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S160 = index_19;
+        _S161 = index_19;
     }
     else
     {
-        _S160 = real_time_0.pixels_0;
+        _S161 = real_time_0.pixels_0;
     }
-    return _S160;
+    return _S161;
 }
 
 fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
@@ -2044,12 +2057,12 @@ fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S161 : u32 = words_2.x;
-    var _S162 : u32 = words_2.y;
-    var _S163 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S161), high_half_0(_S161), low_half_0(_S162)), vec3<f32>(0.0f));
-    var lit_1 : Lit_0 = _S163;
-    var _S164 : u32 = words_2.z;
-    lit_1.moments_0 = Lit_products_0(_S163, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S162), low_half_0(_S164), high_half_0(_S164)));
+    var _S162 : u32 = words_2.x;
+    var _S163 : u32 = words_2.y;
+    var _S164 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S162), high_half_0(_S162), low_half_0(_S163)), vec3<f32>(0.0f));
+    var lit_1 : Lit_0 = _S164;
+    var _S165 : u32 = words_2.z;
+    lit_1.moments_0 = Lit_products_0(_S164, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S163), low_half_0(_S165), high_half_0(_S165)));
     return lit_1;
 }
 
@@ -2063,10 +2076,10 @@ fn load_lit_0( index_20 : u32) -> Lit_0
 fn add_weighed_0( sum_8 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
 {
     (*sum_8).paths_1 = (*sum_8).paths_1 + lit_2.paths_1 * weight_5;
-    var _S165 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S165;
-    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S165;
-    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S165;
+    var _S166 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S166;
+    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S166;
+    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S166;
     return;
 }
 
@@ -2084,27 +2097,27 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
     var place_10 : i32 = i32(0);
     for(;;)
     {
-        var _S166 : bool;
+        var _S167 : bool;
         if(place_10 < i32(16))
         {
-            _S166 = is_whole_0;
+            _S167 = is_whole_0;
         }
         else
         {
-            _S166 = false;
+            _S167 = false;
         }
-        if(_S166)
+        if(_S167)
         {
         }
         else
         {
             break;
         }
-        var _S167 : i32 = (place_10 & (i32(3)));
-        var _S168 : i32 = (place_10 >> (u32(2)));
-        var step_2 : vec2<i32> = vec2<i32>(_S167, _S168);
-        var _S169 : f32 = across_1[_S167] * down_1[_S168];
-        if(_S169 == 0.0f)
+        var _S168 : i32 = (place_10 & (i32(3)));
+        var _S169 : i32 = (place_10 >> (u32(2)));
+        var step_2 : vec2<i32> = vec2<i32>(_S168, _S169);
+        var _S170 : f32 = across_1[_S168] * down_1[_S169];
+        if(_S170 == 0.0f)
         {
             place_10 = place_10 + i32(1);
             continue;
@@ -2115,7 +2128,7 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_3)), other_8, _S169);
+            add_weighed_0(&((*lit_3)), other_8, _S170);
             least_2 = min(least_1, other_8.paths_1);
         }
         else
@@ -2127,10 +2140,10 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         place_10 = place_10 + i32(1);
     }
     (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
-    var _S170 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
+    var _S171 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S170 >= 0.0f;
+        is_whole_0 = _S171 >= 0.0f;
     }
     else
     {
@@ -2153,30 +2166,30 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
         {
             break;
         }
-        var _S171 : i32 = i32((place_11 & (u32(1))));
-        var _S172 : i32 = i32((place_11 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S171, _S172));
+        var _S172 : i32 = i32((place_11 & (u32(1))));
+        var _S173 : i32 = i32((place_11 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S172, _S173));
         if(index_22 != (real_time_0.pixels_0))
         {
-            var _S173 : f32;
-            if(_S171 == i32(0))
-            {
-                _S173 = 1.0f - share_4.x;
-            }
-            else
-            {
-                _S173 = share_4.x;
-            }
             var _S174 : f32;
             if(_S172 == i32(0))
             {
-                _S174 = 1.0f - share_4.y;
+                _S174 = 1.0f - share_4.x;
             }
             else
             {
-                _S174 = share_4.y;
+                _S174 = share_4.x;
             }
-            var weight_6 : f32 = _S173 * _S174;
+            var _S175 : f32;
+            if(_S173 == i32(0))
+            {
+                _S175 = 1.0f - share_4.y;
+            }
+            else
+            {
+                _S175 = share_4.y;
+            }
+            var weight_6 : f32 = _S174 * _S175;
             add_weighed_0(&((*lit_4)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
@@ -2184,10 +2197,10 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
     (*lit_4).paths_1 = (*lit_4).paths_1 * scale_1;
-    var _S175 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_4).light_10 = (*lit_4).light_10 * _S175;
-    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S175;
-    (*lit_4).moments_0 = (*lit_4).moments_0 * _S175;
+    var _S176 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_4).light_10 = (*lit_4).light_10 * _S176;
+    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S176;
+    (*lit_4).moments_0 = (*lit_4).moments_0 * _S176;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2209,16 +2222,16 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S176 : bool;
+        var _S177 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S176 = distance_2 < (least_3 - 0.00100000004749745f);
+            _S177 = distance_2 < (least_3 - 0.00100000004749745f);
         }
         else
         {
-            _S176 = false;
+            _S177 = false;
         }
-        if(_S176)
+        if(_S177)
         {
             least_3 = distance_2;
             best_0 = index_23;
@@ -2241,8 +2254,8 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
 {
     (*shown_0) = u32(0);
     var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_3.is_shown_0, sample_3.place_4, sample_3.normal_1, 0.0f);
-    var _S177 : vec2<f32> = vec2<f32>(0.5f);
-    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S177, vec2<f32>(0.5f));
+    var _S178 : vec2<f32> = vec2<f32>(0.5f);
+    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S178, vec2<f32>(0.5f));
     var along_0 : f32;
     if(sample_3.is_shown_0)
     {
@@ -2280,39 +2293,39 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
         var place_13 : vec4<f32> = vec4<f32>(sample_3.place_4, 1.0f);
         var between_0 : vec4<f32> = vec4<f32>(middle_2, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_3.normal_1, 0.0f);
-        var _S178 : u32 = row_12 + u32(1);
-        var _S179 : u32 = row_12 + u32(2);
-        wanted_5.place_6 = vec3<f32>(dot(motions_1[row_12], place_13), dot(motions_1[_S178], place_13), dot(motions_1[_S179], place_13));
-        var _S180 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S178], between_0), dot(motions_1[_S179], between_0));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S178], normal_6), dot(motions_1[_S179], normal_6));
+        var _S179 : u32 = row_12 + u32(1);
+        var _S180 : u32 = row_12 + u32(2);
+        wanted_5.place_6 = vec3<f32>(dot(motions_1[row_12], place_13), dot(motions_1[_S179], place_13), dot(motions_1[_S180], place_13));
+        var _S181 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S179], between_0), dot(motions_1[_S180], between_0));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S179], normal_6), dot(motions_1[_S180], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
-        middle_3 = _S180;
+        middle_3 = _S181;
     }
     else
     {
         middle_3 = middle_2;
     }
     var way_1 : vec3<f32> = middle_3 - real_time_0.before_origin_0;
-    var _S181 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var _S182 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S182 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S183 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S181 > 9.99999997475242708e-07f;
+            is_seen_0 = _S182 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S182 / vec2<f32>(max(_S181, 9.99999997475242708e-07f));
+        at_19 = _S183 / vec2<f32>(max(_S182, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S182;
+        at_19 = _S183;
     }
     if(!is_seen_0)
     {
@@ -2326,26 +2339,26 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     {
         return not_lit_0();
     }
-    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S177;
+    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S178;
     var at_20 : vec2<f32> = select(at_19, middle_of_pixel_0, (abs(at_19 - middle_of_pixel_0)) <= vec2<f32>(0.00100000004749745f));
-    var _S183 : vec2<f32> = at_20 - _S177;
-    var corner_10 : vec2<f32> = floor(_S183);
-    var share_5 : vec2<f32> = _S183 - corner_10;
+    var _S184 : vec2<f32> = at_20 - _S178;
+    var corner_10 : vec2<f32> = floor(_S184);
+    var share_5 : vec2<f32> = _S184 - corner_10;
     var across_2 : vec4<f32> = cubic_weights_0(share_5.x);
     var down_2 : vec4<f32> = cubic_weights_0(share_5.y);
     if(is_inside_0(vec2<i32>(floor(at_20))))
     {
         (*shown_0) = shown_at_0(vec2<i32>(corner_10), across_2, down_2);
     }
-    var _S184 : vec2<i32> = vec2<i32>(corner_10);
+    var _S185 : vec2<i32> = vec2<i32>(corner_10);
     var lit_5 : Lit_0;
-    var _S185 : bool = cubic_0(wanted_5, _S184, across_2, down_2, &(lit_5));
-    if(_S185)
+    var _S186 : bool = cubic_0(wanted_5, _S185, across_2, down_2, &(lit_5));
+    if(_S186)
     {
         return lit_5;
     }
-    var _S186 : bool = linear_mean_0(wanted_5, _S184, share_5, &(lit_5));
-    if(!_S186)
+    var _S187 : bool = linear_mean_0(wanted_5, _S185, share_5, &(lit_5));
+    if(!_S187)
     {
         lit_5 = nearest_0(wanted_5, at_20);
     }
@@ -2356,8 +2369,8 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
 fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S187 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S187), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S187);
+    var _S188 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S188), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S188);
 }
 
 fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
@@ -2382,38 +2395,38 @@ fn store_known_0( index_24 : u32,  lit_7 : Lit_0,  shown_1 : u32)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S188 : vec2<i32> = vec2<i32>(at_21);
-    if(is_inside_0(_S188))
+    var _S189 : vec2<i32> = vec2<i32>(at_21);
+    if(is_inside_0(_S189))
     {
         var index_25 : u32 = index_of_0(at_21);
-        var sample_4 : Sample_0 = sample_at_0(_S188);
+        var sample_4 : Sample_0 = sample_at_0(_S189);
         var shown_2 : u32 = u32(0);
         var lit_8 : Lit_0 = not_lit_0();
-        var _S189 : bool;
+        var _S190 : bool;
         if(has_0(u32(2048)))
         {
-            _S189 = (((memory_row_0(u32(0), index_25).w) & (u32(2147483648)))) != u32(0);
+            _S190 = (((memory_row_0(u32(0), index_25).w) & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S189 = false;
+            _S190 = false;
         }
-        if(_S189)
+        if(_S190)
         {
-            _S189 = !shows_mover_0(sample_4);
+            _S190 = !shows_mover_0(sample_4);
         }
         else
         {
-            _S189 = false;
+            _S190 = false;
         }
-        if(_S189)
+        if(_S190)
         {
             lit_8.paths_1 = -1.0f;
         }
         else
         {
-            var _S190 : Lit_0 = lit_before_0(sample_4, at_21, &(shown_2));
-            lit_8 = _S190;
+            var _S191 : Lit_0 = lit_before_0(sample_4, at_21, &(shown_2));
+            lit_8 = _S191;
         }
         store_known_0(index_25, lit_8, shown_2);
     }
@@ -2436,24 +2449,24 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_10 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_15 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32,  shown_4 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
-    var _S191 : Memory_0;
-    _S191.lit_9 = lit_10;
-    _S191.looks_0 = looks_1;
-    _S191.direct_2 = direct_3;
-    _S191.albedo_2 = albedo_3;
-    _S191.normal_7 = normal_8;
-    _S191.place_14 = place_15;
-    _S191.roughness_0 = roughness_1;
-    _S191.coverage_0 = coverage_1;
-    _S191.shown_3 = shown_4;
-    _S191.is_at_rest_0 = is_at_rest_1;
-    return _S191;
+    var _S192 : Memory_0;
+    _S192.lit_9 = lit_10;
+    _S192.looks_0 = looks_1;
+    _S192.direct_2 = direct_3;
+    _S192.albedo_2 = albedo_3;
+    _S192.normal_7 = normal_8;
+    _S192.place_14 = place_15;
+    _S192.roughness_0 = roughness_1;
+    _S192.coverage_0 = coverage_1;
+    _S192.shown_3 = shown_4;
+    _S192.is_at_rest_0 = is_at_rest_1;
+    return _S192;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S192 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S192, _S192, _S192, _S192, 0.0f, 0.0f, u32(0), false);
+    var _S193 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S193, _S193, _S193, _S193, 0.0f, 0.0f, u32(0), false);
 }
 
 fn load_memory_0( index_26 : u32) -> Memory_0
@@ -2464,19 +2477,19 @@ fn load_memory_0( index_26 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_9 = load_lit_0(index_26);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S193 : u32 = seen_0.x;
-    var _S194 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S193), high_half_0(_S193), low_half_0(_S194));
-    var _S195 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S194), low_half_0(_S195), high_half_0(_S195));
-    var _S196 : u32 = surface_3.w;
-    memory_0.normal_7 = normal_in_0(_S196);
+    var _S194 : u32 = seen_0.x;
+    var _S195 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S194), high_half_0(_S194), low_half_0(_S195));
+    var _S196 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S195), low_half_0(_S196), high_half_0(_S196));
+    var _S197 : u32 = surface_3.w;
+    memory_0.normal_7 = normal_in_0(_S197);
     memory_0.place_14 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S197 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S197);
-    memory_0.coverage_0 = low_half_0(_S197);
+    var _S198 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S198);
+    memory_0.coverage_0 = low_half_0(_S198);
     memory_0.shown_3 = seen_0.w;
-    memory_0.is_at_rest_0 = ((_S196 & (u32(2147483648)))) != u32(0);
+    memory_0.is_at_rest_0 = ((_S197 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -2492,9 +2505,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_27 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_27);
-    var _S198 : u32 = light_14.y;
-    var _S199 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S198), vec3<f32>(low_half_0(_S199), high_half_0(_S199), low_half_0(_S198)), vec3<u32>(scratch_row_0(u32(8), index_27), scratch_row_0(u32(9), index_27).x));
+    var _S199 : u32 = light_14.y;
+    var _S200 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S199), vec3<f32>(low_half_0(_S200), high_half_0(_S200), low_half_0(_S199)), vec3<u32>(scratch_row_0(u32(8), index_27), scratch_row_0(u32(9), index_27).x));
 }
 
 fn memory_before_0( index_28 : u32) -> Memory_0
@@ -2534,12 +2547,12 @@ fn in_ten_bits_0( normal_10 : vec3<f32>) -> vec3<f32>
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
 {
-    var _S200 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S200;
-    var share_6 : f32 = 1.0f / _S200;
-    var _S201 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_5.direct_0 - (*this_11).direct_2) * _S201;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_5.albedo_0 - (*this_11).albedo_2) * _S201;
+    var _S201 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S201;
+    var share_6 : f32 = 1.0f / _S201;
+    var _S202 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_5.direct_0 - (*this_11).direct_2) * _S202;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_5.albedo_0 - (*this_11).albedo_2) * _S202;
     if(!sample_5.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2549,9 +2562,9 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_14;
-    var _S202 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_5.normal_1 - (*this_11).normal_7) * _S202);
-    (*this_11).place_14 = (*this_11).place_14 + (sample_5.place_4 - (*this_11).place_14) * _S202;
+    var _S203 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_5.normal_1 - (*this_11).normal_7) * _S203);
+    (*this_11).place_14 = (*this_11).place_14 + (sample_5.place_4 - (*this_11).place_14) * _S203;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_5.place_4 - before_2);
@@ -2562,56 +2575,56 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S203 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S203;
+    var _S204 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
+    (*this_12).paths_1 = _S204;
     var l_1 : f32 = luminance_0(found_2);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S204 : vec3<f32> = vec3<f32>((1.0f / _S203));
-    (*this_12).light_10 = (*this_12).light_10 + (found_2 - (*this_12).light_10) * _S204;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S204;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S204;
+    var _S205 : vec3<f32> = vec3<f32>((1.0f / _S204));
+    (*this_12).light_10 = (*this_12).light_10 + (found_2 - (*this_12).light_10) * _S205;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S205;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S205;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_6 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_6);
-    var _S205 : Lit_0 = (*this_13).lit_9;
-    Lit_add_0(&(_S205), sample_6.light_8, sample_6.albedo_0, most_1);
-    (*this_13).lit_9 = _S205;
+    var _S206 : Lit_0 = (*this_13).lit_9;
+    Lit_add_0(&(_S206), sample_6.light_8, sample_6.albedo_0, most_1);
+    (*this_13).lit_9 = _S206;
     return;
 }
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S206 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
-    return (((((u32(_S206.x) & (u32(1023)))) | (((((u32(_S206.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S206.z) & (u32(1023)))) << (u32(20))))));
+    var _S207 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
+    return (((((u32(_S207.x) & (u32(1023)))) | (((((u32(_S207.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S207.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_29 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_9);
-    var _S207 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S208 : u32;
+    var _S208 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S209 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S208 = u32(1073741824);
+        _S209 = u32(1073741824);
     }
     else
     {
-        _S208 = u32(0);
+        _S209 = u32(0);
     }
-    var _S209 : u32 = (_S207 | (_S208));
+    var _S210 : u32 = (_S208 | (_S209));
     if(memory_2.is_at_rest_0)
     {
-        _S208 = u32(2147483648);
+        _S209 = u32(2147483648);
     }
     else
     {
-        _S208 = u32(0);
+        _S209 = u32(0);
     }
-    memory_rows_0[index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_14))), (_S209 | (_S208)));
+    memory_rows_0[index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_14))), (_S210 | (_S209)));
     memory_rows_0[pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.lit_9.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_1 + index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_9.light_10))), words_4.z);
     memory_rows_0[u32(3) * pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_3);
@@ -2623,38 +2636,38 @@ fn store_memory_0( index_29 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_22 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S210 : vec2<i32> = vec2<i32>(at_22);
-    var _S211 : bool;
-    if(is_inside_0(_S210))
+    var _S211 : vec2<i32> = vec2<i32>(at_22);
+    var _S212 : bool;
+    if(is_inside_0(_S211))
     {
-        _S211 = !traces_0(_S210);
+        _S212 = !traces_0(_S211);
     }
     else
     {
-        _S211 = false;
+        _S212 = false;
     }
-    if(_S211)
+    if(_S212)
     {
         var index_30 : u32 = index_of_0(at_22);
         var memory_3 : Memory_0 = memory_before_0(index_30);
         var is_lit_0 : bool = (memory_3.lit_9.paths_1) > 0.0f;
         if(!is_lit_0)
         {
-            _S211 = true;
+            _S212 = true;
         }
         else
         {
             if(has_0(u32(8)))
             {
-                _S211 = true;
+                _S212 = true;
             }
             else
             {
-                _S211 = memory_3.is_at_rest_0;
+                _S212 = memory_3.is_at_rest_0;
             }
-            _S211 = !_S211;
+            _S212 = !_S212;
         }
-        if(_S211)
+        if(_S212)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2666,7 +2679,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S210 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S211 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2743,10 +2756,10 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_31 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_31);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_31)));
-            var _S212 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S212 * light_15;
+            var _S213 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S213 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_11 = sum_11 + _S212;
+            sum_11 = sum_11 + _S213;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2792,21 +2805,21 @@ fn begin_filter_0( at_24 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S213 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S214 : vec2<i32> = vec2<i32>(_S213);
-    if(is_inside_0(_S214))
+    var _S214 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S215 : vec2<i32> = vec2<i32>(_S214);
+    if(is_inside_0(_S215))
     {
-        begin_filter_0(_S214);
+        begin_filter_0(_S215);
     }
     return;
 }
 
 fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 {
-    var _S215 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
-    var _S216 : vec2<f32> = vec2<f32>(0.0f);
+    var _S216 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
+    var _S217 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_12 : vec2<f32> = _S216;
+    var sum_12 : vec2<f32> = _S217;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2836,7 +2849,7 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
                 continue;
             }
             var index_33 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S215, index_33);
+            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S216, index_33);
             var weights_21 : f32 = weights_20 + weight_8;
             sum_13 = sum_13 + numbers_0(row_13, index_33) * vec2<f32>(weight_8);
             weights_20 = weights_21;
@@ -2862,11 +2875,11 @@ fn compare_around_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S217 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S218 : vec2<i32> = vec2<i32>(_S217);
-    if(is_inside_0(_S218))
+    var _S218 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S219 : vec2<i32> = vec2<i32>(_S218);
+    if(is_inside_0(_S219))
     {
-        compare_around_0(_S218);
+        compare_around_0(_S219);
     }
     return;
 }
@@ -2878,9 +2891,9 @@ fn estimate_noise_0( at_27 : vec2<i32>)
     var color_19 : vec4<f32> = color_in_0(u32(0), index_35);
     color_19[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
     set_color_0(u32(0), index_35, color_19);
-    var _S219 : vec2<f32> = vec2<f32>(0.0f);
+    var _S220 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_14 : vec2<f32> = _S219;
+    var sum_14 : vec2<f32> = _S220;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2911,11 +2924,11 @@ fn estimate_noise_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S220 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S221 : vec2<i32> = vec2<i32>(_S220);
-    if(is_inside_0(_S221))
+    var _S221 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S222 : vec2<i32> = vec2<i32>(_S221);
+    if(is_inside_0(_S222))
     {
-        estimate_noise_0(_S221);
+        estimate_noise_0(_S222);
     }
     return;
 }
@@ -2933,11 +2946,11 @@ fn set_tolerance_0( at_28 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S222 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S223 : vec2<i32> = vec2<i32>(_S222);
-    if(is_inside_0(_S223))
+    var _S223 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S224 : vec2<i32> = vec2<i32>(_S223);
+    if(is_inside_0(_S224))
     {
-        set_tolerance_0(_S223);
+        set_tolerance_0(_S224);
     }
     return;
 }
@@ -2946,11 +2959,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S224 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S225 : vec2<i32> = vec2<i32>(_S224);
-    if(is_inside_0(_S225))
+    var _S225 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S226 : vec2<i32> = vec2<i32>(_S225);
+    if(is_inside_0(_S226))
     {
-        smooth_light_4(_S225);
+        smooth_light_4(_S226);
     }
     return;
 }
@@ -2959,11 +2972,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S226 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S227 : vec2<i32> = vec2<i32>(_S226);
-    if(is_inside_0(_S227))
+    var _S227 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S228 : vec2<i32> = vec2<i32>(_S227);
+    if(is_inside_0(_S228))
     {
-        smooth_light_3(_S227);
+        smooth_light_3(_S228);
     }
     return;
 }
@@ -2972,11 +2985,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S228 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S229 : vec2<i32> = vec2<i32>(_S228);
-    if(is_inside_0(_S229))
+    var _S229 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S230 : vec2<i32> = vec2<i32>(_S229);
+    if(is_inside_0(_S230))
     {
-        smooth_light_2(_S229);
+        smooth_light_2(_S230);
     }
     return;
 }
@@ -2985,11 +2998,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S230 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S231 : vec2<i32> = vec2<i32>(_S230);
-    if(is_inside_0(_S231))
+    var _S231 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S232 : vec2<i32> = vec2<i32>(_S231);
+    if(is_inside_0(_S232))
     {
-        smooth_light_1(_S231);
+        smooth_light_1(_S232);
     }
     return;
 }
@@ -2998,11 +3011,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S232 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S233 : vec2<i32> = vec2<i32>(_S232);
-    if(is_inside_0(_S233))
+    var _S233 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S234 : vec2<i32> = vec2<i32>(_S233);
+    if(is_inside_0(_S234))
     {
-        smooth_light_0(_S233);
+        smooth_light_0(_S234);
     }
     return;
 }
@@ -3011,11 +3024,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S234 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S235 : vec2<i32> = vec2<i32>(_S234);
-    if(is_inside_0(_S235))
+    var _S235 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S236 : vec2<i32> = vec2<i32>(_S235);
+    if(is_inside_0(_S236))
     {
-        end_levels_0(_S235);
+        end_levels_0(_S236);
     }
     return;
 }
@@ -3024,11 +3037,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S236 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S237 : vec2<i32> = vec2<i32>(_S236);
-    if(is_inside_0(_S237))
+    var _S237 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S238 : vec2<i32> = vec2<i32>(_S237);
+    if(is_inside_0(_S238))
     {
-        compare_across_0(_S237);
+        compare_across_0(_S238);
     }
     return;
 }
@@ -3048,13 +3061,13 @@ fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
 @workgroup_size(64, 1, 1)
 fn filter_picture(@builtin(global_invocation_id) id_17 : vec3<u32>)
 {
-    var _S238 : vec2<u32> = pixel_of_thread_0(id_17.x);
-    var _S239 : vec2<i32> = vec2<i32>(_S238);
-    if(is_inside_0(_S239))
+    var _S239 : vec2<u32> = pixel_of_thread_0(id_17.x);
+    var _S240 : vec2<i32> = vec2<i32>(_S239);
+    if(is_inside_0(_S240))
     {
-        var index_37 : u32 = index_of_0(vec2<u32>(_S239));
+        var index_37 : u32 = index_of_0(vec2<u32>(_S240));
         var memory_5 : Memory_0 = load_memory_0(index_37);
-        set_color_0(u32(2), index_37, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S239, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
+        set_color_0(u32(2), index_37, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S240, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
     }
     return;
 }
@@ -3065,40 +3078,40 @@ fn is_kept_0( index_38 : u32) -> bool
     {
         return false;
     }
-    var _S240 : bool;
+    var _S241 : bool;
     if(has_0(u32(2048)))
     {
-        _S240 = (high_half_0(memory_row_0(u32(1), index_38).x)) > 4.0f;
+        _S241 = (high_half_0(memory_row_0(u32(1), index_38).x)) > 4.0f;
     }
     else
     {
-        _S240 = false;
+        _S241 = false;
     }
-    return _S240;
+    return _S241;
 }
 
 fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
 {
-    var _S241 : f32 = color_20.x;
-    var _S242 : f32 = 0.5f * color_20.y;
-    var _S243 : f32 = color_20.z;
-    return vec3<f32>(0.25f * _S241 + _S242 + 0.25f * _S243, 0.5f * (_S241 - _S243), _S242 - 0.25f * (_S241 + _S243));
+    var _S242 : f32 = color_20.x;
+    var _S243 : f32 = 0.5f * color_20.y;
+    var _S244 : f32 = color_20.z;
+    return vec3<f32>(0.25f * _S242 + _S243 + 0.25f * _S244, 0.5f * (_S242 - _S244), _S243 - 0.25f * (_S242 + _S244));
 }
 
 fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
 {
     var index_39 : u32 = index_of_0(vec2<u32>(at_29));
     var now_1 : vec3<f32> = color_in_0(u32(2), index_39).xyz;
-    var _S244 : bool;
+    var _S245 : bool;
     if(word_6 == u32(0))
     {
-        _S244 = true;
+        _S245 = true;
     }
     else
     {
-        _S244 = (real_time_0.share_0) >= 1.0f;
+        _S245 = (real_time_0.share_0) >= 1.0f;
     }
-    if(_S244)
+    if(_S245)
     {
         return now_1;
     }
@@ -3107,10 +3120,10 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
     {
         return history_0 + (now_1 - history_0) * vec3<f32>(0.5f);
     }
-    var _S245 : vec3<f32> = vec3<f32>(0.0f);
+    var _S246 : vec3<f32> = vec3<f32>(0.0f);
     var place_16 : i32 = i32(0);
-    var sum_15 : vec3<f32> = _S245;
-    var squares_5 : vec3<f32> = _S245;
+    var sum_15 : vec3<f32> = _S246;
+    var squares_5 : vec3<f32> = _S246;
     var count_11 : f32 = 0.0f;
     for(;;)
     {
@@ -3136,13 +3149,13 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
         place_16 = place_16 + i32(1);
     }
     var mean_2 : vec3<f32> = sum_15 / vec3<f32>(count_11);
-    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S245));
+    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S246));
     var shown_7 : vec3<f32> = clamp(ycocg_0(history_0), mean_2 - reach_2, mean_2 + reach_2);
     var shown_8 : vec3<f32> = shown_7 + (ycocg_0(now_1) - shown_7) * vec3<f32>(real_time_0.share_0);
-    var _S246 : f32 = shown_8.x;
-    var _S247 : f32 = shown_8.y;
-    var _S248 : f32 = shown_8.z;
-    return max(vec3<f32>(_S246 + _S247 - _S248, _S246 + _S248, _S246 - _S247 - _S248), _S245);
+    var _S247 : f32 = shown_8.x;
+    var _S248 : f32 = shown_8.y;
+    var _S249 : f32 = shown_8.z;
+    return max(vec3<f32>(_S247 + _S248 - _S249, _S247 + _S249, _S247 - _S248 - _S249), _S246);
 }
 
 fn half_of_0( value_4 : f32) -> u32
@@ -3173,16 +3186,16 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S249 : u32 = id_18.x;
-    var _S250 : vec2<u32> = pixel_of_thread_0(_S249);
-    var _S251 : vec2<i32> = vec2<i32>(_S250);
-    if(is_inside_0(_S251))
+    var _S250 : u32 = id_18.x;
+    var _S251 : vec2<u32> = pixel_of_thread_0(_S250);
+    var _S252 : vec2<i32> = vec2<i32>(_S251);
+    if(is_inside_0(_S252))
     {
-        var index_40 : u32 = index_of_0(vec2<u32>(_S251));
+        var index_40 : u32 = index_of_0(vec2<u32>(_S252));
         var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            radiance_0 = antialiased_0(_S251, memory_row_0(u32(3), index_40).w);
+            radiance_0 = antialiased_0(_S252, memory_row_0(u32(3), index_40).w);
         }
         else
         {
@@ -3194,11 +3207,11 @@ fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local
     }
     if(thread_1 == u32(0))
     {
-        if(_S249 == u32(0))
+        if(_S250 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S252 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S253 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

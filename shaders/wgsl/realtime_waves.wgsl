@@ -109,6 +109,8 @@ struct EnvironmentTexel_std430_0
 
 @binding(19) @group(0) var<storage, read> environment_0 : array<EnvironmentTexel_std430_0>;
 
+@binding(29) @group(0) var<storage, read> motions_1 : array<vec4<f32>>;
+
 @binding(25) @group(0) var<storage, read_write> memory_rows_0 : array<vec4<u32>>;
 
 @binding(30) @group(0) var<storage, read_write> rest_0 : array<u32>;
@@ -1989,6 +1991,7 @@ struct Walker_0
      life_0 : u32,
      is_at_cell_0 : bool,
      counts_0 : bool,
+     sees_mover_0 : bool,
 };
 
 struct Sample_0
@@ -5261,6 +5264,20 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     return next_0;
 }
 
+fn is_mover_0( instance_15 : u32) -> bool
+{
+    var _S340 : bool;
+    if(instance_15 < (real_time_0.motions_0))
+    {
+        _S340 = (motions_1[u32(4) * instance_15 + u32(3)].x) != 0.0f;
+    }
+    else
+    {
+        _S340 = false;
+    }
+    return _S340;
+}
+
 fn shading_normal_0( ray_18 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
 {
     return world_normal_0(Instances_operatorx5Bx5D_get_0(hit_10.instance_0), hit_10.face_0);
@@ -5283,53 +5300,89 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S340 : Path_0 = path_8;
+    var _S341 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S340.inside_0))
+    if(Inside_is_in_0(_S341.inside_0))
     {
-        absorb_0(&(_S340), _S340.inside_0, ray_19, hit_11.t_0);
+        absorb_0(&(_S341), _S341.inside_0, ray_19, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S340, hit_11, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S341, hit_11, beyond_4);
     (*sample_9).normal_1 = in_ten_bits_0(shading_normal_0(ray_19, hit_11, material_12));
-    (*sample_9).albedo_0 = _S340.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S341.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S341 : bool = ((*this_49).path_0.bounce_0) == u32(0);
     var _S342 : bool;
-    if(goes_on_0)
+    if((*this_49).sees_mover_0)
     {
-        _S342 = _S341;
-    }
-    else
-    {
-        _S342 = false;
-    }
-    var _S343 : bool = !_S342;
-    (*this_49).has_shown_0 = _S343;
-    if(!_S343)
-    {
-        (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
+        _S342 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_12))
         {
+            _S342 = is_mover_0(hit_12.instance_0);
+        }
+        else
+        {
+            _S342 = false;
+        }
+    }
+    (*this_49).sees_mover_0 = _S342;
+    var _S343 : bool = ((*this_49).path_0.bounce_0) == u32(0);
+    if(goes_on_0)
+    {
+        _S342 = _S343;
+    }
+    else
+    {
+        _S342 = false;
+    }
+    var _S344 : bool = !_S342;
+    (*this_49).has_shown_0 = _S344;
+    if(!_S344)
+    {
+        (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
+    }
+    else
+    {
+        var _S345 : u32;
+        if(!Hit_is_miss_0(hit_12))
+        {
             show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, &((*sample_10)));
             (*sample_10).place_0 = (*this_49).camera_ray_0.origin_0 + (*this_49).camera_ray_0.direction_0 * vec3<f32>(((*this_49).way_3 + hit_12.t_0));
-            var _S344 : u32;
             if(((*this_49).way_3) > 0.0f)
             {
-                _S344 = u32(4294967295);
+                if((*this_49).sees_mover_0)
+                {
+                    _S345 = u32(4294967295);
+                }
+                else
+                {
+                    _S345 = u32(4294967294);
+                }
             }
             else
             {
-                _S344 = hit_12.instance_0;
+                _S345 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S344;
+            (*sample_10).instance_7 = _S345;
+        }
+        else
+        {
+            (*sample_10).albedo_0 = vec3<f32>(0.0f);
+            if((*this_49).sees_mover_0)
+            {
+                _S345 = u32(4294967295);
+            }
+            else
+            {
+                _S345 = u32(4294967294);
+            }
+            (*sample_10).instance_7 = _S345;
         }
     }
     return;
@@ -5350,10 +5403,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S345 : BsdfEval_0;
-    _S345.weight_5 = weight_6;
-    _S345.pdf_10 = pdf_11;
-    return _S345;
+    var _S346 : BsdfEval_0;
+    _S346.weight_5 = weight_6;
+    _S346.pdf_10 = pdf_11;
+    return _S346;
 }
 
 fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5370,9 +5423,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S346 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S346;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S346) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S347 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S347;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S347) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_20 : Ray_0) -> u32
@@ -5381,17 +5434,17 @@ fn place_of_ray_0( ray_20 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_20.origin_0, length_squared_0(ray_20.origin_0 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S347 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
+    var _S348 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_2 : vec3<i32>;
     if((ray_20.t_max_0) <= 1.0f)
     {
-        var _S348 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
-        end_2 = _S348;
+        var _S349 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
+        end_2 = _S349;
     }
     else
     {
-        end_2 = _S347;
+        end_2 = _S348;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_2), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -5432,18 +5485,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
-        var _S349 : vec4<f32>;
+        var _S350 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S349 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S350 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            _S349 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S350 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
-        u_17 = _S349;
-        var _S350 : bool = count_5 > u32(1);
-        if(_S350)
+        u_17 = _S350;
+        var _S351 : bool = count_5 > u32(1);
+        if(_S351)
         {
             u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -5454,7 +5507,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S351 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
+        var _S352 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5462,41 +5515,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S351;
+            wi_5 = _S352;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S352 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S352);
-        var _S353 : bool;
+        var _S353 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S353);
+        var _S354 : bool;
         if(weighs_candidates_0)
         {
-            _S353 = _S350;
+            _S354 = _S351;
         }
         else
         {
-            _S353 = false;
+            _S354 = false;
         }
         var weight_8 : f32;
-        if(_S353)
+        if(_S354)
         {
-            var _S354 : f32 = visibility_0(light_7.ray_13);
-            weight_8 = weight_7 * _S354;
+            var _S355 : f32 = visibility_0(light_7.ray_13);
+            weight_8 = weight_7 * _S355;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_5 : f32 = sum_4 + weight_8;
-        var _S355 : bool;
-        if(_S350)
+        var _S356 : bool;
+        if(_S351)
         {
-            _S355 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
+            _S356 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
         }
         else
         {
-            _S355 = false;
+            _S356 = false;
         }
-        if(_S355)
+        if(_S356)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5507,7 +5560,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         {
             (*next_1).shadow_direction_0 = light_7.ray_13.direction_0;
             (*next_1).shadow_t_max_0 = light_7.ray_13.t_max_0;
-            (*next_1).light_2 = _S352;
+            (*next_1).light_2 = _S353;
             chosen_5 = weight_8;
         }
         else
@@ -5518,9 +5571,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S356 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S356;
-    if(_S356)
+    var _S357 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S357;
+    if(_S357)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5532,7 +5585,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
-    var _S357 : bool = (*at_7).is_at_cell_0;
+    var _S358 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
@@ -5543,8 +5596,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S358 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S358;
+        var _S359 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S359;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5555,8 +5608,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S359 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S359;
+            var _S360 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S360;
         }
         else
         {
@@ -5564,12 +5617,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S358;
-        var _S360 : Path_0 = (*at_7).path_0;
-        var _S361 : NextRays_0 = PathTracingOf_advance_0(&(_S360), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S360;
-        next_2 = _S361;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S358)));
+        var emitted_2 : vec3<f32> = _S359;
+        var _S361 : Path_0 = (*at_7).path_0;
+        var _S362 : NextRays_0 = PathTracingOf_advance_0(&(_S361), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S361;
+        next_2 = _S362;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S359)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5584,44 +5637,44 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if(!_S357)
+    if(!_S358)
     {
-        var _S362 : bool;
+        var _S363 : bool;
         if(counts_arrivals_0)
         {
-            _S362 = next_2.has_shadow_ray_0;
+            _S363 = next_2.has_shadow_ray_0;
         }
         else
         {
-            _S362 = false;
+            _S363 = false;
         }
-        if(_S362)
+        if(_S363)
         {
-            _S362 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S363 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S362 = false;
+            _S363 = false;
         }
-        if(_S362)
+        if(_S363)
         {
-            _S362 = !scatter_of_path_0.is_scattered_0;
+            _S363 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S362 = false;
+            _S363 = false;
         }
-        if(_S362)
+        if(_S363)
         {
-            _S362 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S363 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S362 = false;
+            _S363 = false;
         }
-        (*at_7).counts_0 = _S362;
+        (*at_7).counts_0 = _S363;
     }
-    if(_S357)
+    if(_S358)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5652,72 +5705,72 @@ fn key_of_1( hit_14 : Hit_0,  size_3 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_3, 1.0f, 128.0f);
     var power_8 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S363 : f32;
+    var _S364 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S363 = 1.0f;
+        _S364 = 1.0f;
     }
     else
     {
-        _S363 = 0.0f;
+        _S364 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_8 + _S363, 6.0f));
-    var _S364 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S364)));
-    var _S365 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S364))));
-    (*code_3) = u32(1) + (((((((_S365.x) | ((((_S365.y) << (level_1)))))) | ((((_S365.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_8 + _S364, 6.0f));
+    var _S365 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S365)));
+    var _S366 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S365))));
+    (*code_3) = u32(1) + (((((((_S366.x) | ((((_S366.y) << (level_1)))))) | ((((_S366.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_22 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S366 : bool;
+    var _S367 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S366 = true;
+        _S367 = true;
     }
     else
     {
-        _S366 = Inside_is_in_0(path_9.inside_0);
+        _S367 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S366)
+    if(_S367)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S366 = true;
+        _S367 = true;
     }
     else
     {
-        _S366 = (material_13.transmission_0) > 0.0f;
+        _S367 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S366)
+    if(_S367)
     {
         return false;
     }
     var code_4 : u32;
     var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_22.origin_0 + ray_22.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
-    var _S367 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
+    var _S368 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
     var is_from_first_1 : bool = (path_9.bounce_0) < u32(2);
     if(life_2 == u32(0))
     {
-        _S366 = true;
+        _S367 = true;
     }
     else
     {
         if(is_from_first_1)
         {
-            _S366 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S367;
+            _S367 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S368;
         }
         else
         {
-            _S366 = false;
+            _S367 = false;
         }
     }
-    if(_S366)
+    if(_S367)
     {
         return false;
     }
@@ -5749,13 +5802,13 @@ fn SunDisc_sample_1( receiver_20 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S368 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S368, _S368, 0.0f);
+    var _S369 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S369, _S369, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S369 : f32 = u_20.x * edge_1;
-    var _S370 : f32 = edge_1 - 1.0f;
-    var _S371 : f32 = min(floor(_S369), _S370);
-    var own_2 : u32 = u32(_S371) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S370));
+    var _S370 : f32 = u_20.x * edge_1;
+    var _S371 : f32 = edge_1 - 1.0f;
+    var _S372 : f32 = min(floor(_S370), _S371);
+    var own_2 : u32 = u32(_S372) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S371));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_2].threshold_0))
     {
@@ -5770,10 +5823,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S372 : u32 = index_28 % params_0.sky_edge_0;
-    var _S373 : f32 = f32(_S372);
-    var _S374 : u32 = index_28 / params_0.sky_edge_0;
-    var place_6 : vec2<f32> = vec2<f32>(_S373, f32(_S374)) + vec2<f32>(min(_S369 - _S371, 1.0f), u_20.w);
+    var _S373 : u32 = index_28 % params_0.sky_edge_0;
+    var _S374 : f32 = f32(_S373);
+    var _S375 : u32 = index_28 / params_0.sky_edge_0;
+    var place_6 : vec2<f32> = vec2<f32>(_S374, f32(_S375)) + vec2<f32>(min(_S370 - _S372, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_6 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_6), pdf_12);
     return true;
 }
@@ -5782,17 +5835,17 @@ fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S375 : bool;
+    var _S376 : bool;
     if(SKY_0 != u32(1))
     {
-        _S375 = true;
+        _S376 = true;
     }
     else
     {
-        var _S376 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S375 = !_S376;
+        var _S377 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S376 = !_S377;
     }
-    if(_S375)
+    if(_S376)
     {
         return false;
     }
@@ -5817,7 +5870,7 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S377 : LightNode_0 = node_13;
+        var _S378 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5825,29 +5878,20 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S377.parent_0);
-        var _S378 : u32 = _S377.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S378;
-        var _S379 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S378.parent_0);
+        var _S379 : u32 = _S378.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S379;
+        var _S380 : u32;
         if(is_left_4)
         {
-            _S379 = parent_2.index_11;
+            _S380 = parent_2.index_11;
         }
         else
         {
-            _S379 = _S378;
+            _S380 = _S379;
         }
-        var _S380 : View_0 = view_0(node_13, receiver_22);
-        var _S381 : View_0 = view_0(top_light_node_0(_S379), receiver_22);
-        var _S382 : f32;
-        if(is_left_4)
-        {
-            _S382 = _S380.importance_0;
-        }
-        else
-        {
-            _S382 = _S381.importance_0;
-        }
+        var _S381 : View_0 = view_0(node_13, receiver_22);
+        var _S382 : View_0 = view_0(top_light_node_0(_S380), receiver_22);
         var _S383 : f32;
         if(is_left_4)
         {
@@ -5855,29 +5899,38 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         }
         else
         {
-            _S383 = _S380.importance_0;
+            _S383 = _S382.importance_0;
         }
-        var weights_3 : vec2<f32> = weights_of_0(_S382, _S383);
-        var _S384 : f32 = weights_3.x;
-        var _S385 : f32 = weights_3.y;
-        var total_6 : f32 = _S384 + _S385;
+        var _S384 : f32;
+        if(is_left_4)
+        {
+            _S384 = _S382.importance_0;
+        }
+        else
+        {
+            _S384 = _S381.importance_0;
+        }
+        var weights_3 : vec2<f32> = weights_of_0(_S383, _S384);
+        var _S385 : f32 = weights_3.x;
+        var _S386 : f32 = weights_3.y;
+        var total_6 : f32 = _S385 + _S386;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S386 : f32;
+        var _S387 : f32;
         if(is_left_4)
         {
-            _S386 = _S384;
+            _S387 = _S385;
         }
         else
         {
-            _S386 = _S385;
+            _S387 = _S386;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S386;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S387;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S377.parent_0;
+        at_8 = _S378.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5886,16 +5939,16 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S387 : bool;
+        var _S388 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S387 = !(*descent_5).is_far_3;
+            _S388 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S387 = false;
+            _S388 = false;
         }
-        if(_S387)
+        if(_S388)
         {
         }
         else
@@ -5909,29 +5962,29 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_23).importance_0, view_0(right_3, receiver_23).importance_0);
-        var _S388 : f32 = weights_4.x;
-        var _S389 : f32 = weights_4.y;
-        var total_7 : f32 = _S388 + _S389;
+        var _S389 : f32 = weights_4.x;
+        var _S390 : f32 = weights_4.y;
+        var total_7 : f32 = _S389 + _S390;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S390 : bool;
-        if(_S389 <= 0.0f)
+        var _S391 : bool;
+        if(_S390 <= 0.0f)
         {
-            _S390 = true;
+            _S391 = true;
         }
         else
         {
-            _S390 = ((*descent_5).choice_0 * total_7) < (_S388 * (*descent_5).weight_0);
+            _S391 = ((*descent_5).choice_0 * total_7) < (_S389 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S391 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S391 >= (vector_of_0(left_4.min_1))))))
+            var _S392 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S392 >= (vector_of_0(left_4.min_1))))))
             {
-                is_left_5 = (all((_S391 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S392 < (vector_of_0(left_4.max_1)))));
             }
             else
             {
@@ -5940,63 +5993,63 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S390;
+            is_left_5 = _S391;
         }
-        var _S392 : f32 = (*descent_5).choice_0 * total_7;
-        var _S393 : f32;
+        var _S393 : f32 = (*descent_5).choice_0 * total_7;
+        var _S394 : f32;
         if(is_left_5)
         {
-            _S393 = 0.0f;
+            _S394 = 0.0f;
         }
         else
         {
-            _S393 = _S388 * (*descent_5).weight_0;
+            _S394 = _S389 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S392 - _S393;
-        var _S394 : u32;
-        if(is_left_5)
-        {
-            _S394 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S394 = (*descent_5).index_15;
-        }
-        (*descent_5).node_3 = _S394;
+        (*descent_5).choice_0 = _S393 - _S394;
         var _S395 : u32;
         if(is_left_5)
         {
-            _S395 = left_4.index_11;
+            _S395 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S395 = right_3.index_11;
+            _S395 = (*descent_5).index_15;
         }
-        (*descent_5).index_15 = _S395;
+        (*descent_5).node_3 = _S395;
         var _S396 : u32;
         if(is_left_5)
         {
-            _S396 = left_4.count_1;
+            _S396 = left_4.index_11;
         }
         else
         {
-            _S396 = right_3.count_1;
+            _S396 = right_3.index_11;
         }
-        (*descent_5).count_2 = _S396;
-        (*descent_5).is_far_3 = false;
-        var _S397 : f32;
+        (*descent_5).index_15 = _S396;
+        var _S397 : u32;
         if(is_left_5)
         {
-            _S397 = _S388;
+            _S397 = left_4.count_1;
         }
         else
         {
-            _S397 = _S389;
+            _S397 = right_3.count_1;
         }
-        var _S398 : f32 = (*descent_5).weight_0 * _S397;
-        (*descent_5).weight_0 = _S398;
+        (*descent_5).count_2 = _S397;
+        (*descent_5).is_far_3 = false;
+        var _S398 : f32;
+        if(is_left_5)
+        {
+            _S398 = _S389;
+        }
+        else
+        {
+            _S398 = _S390;
+        }
+        var _S399 : f32 = (*descent_5).weight_0 * _S398;
+        (*descent_5).weight_0 = _S399;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S398 <= 0.0f)
+        if(_S399 <= 0.0f)
         {
             return false;
         }
@@ -6018,16 +6071,16 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S399 : bool;
+        var _S400 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S399 = !(*descent_6).is_far_3;
+            _S400 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S399 = false;
+            _S400 = false;
         }
-        if(_S399)
+        if(_S400)
         {
         }
         else
@@ -6043,29 +6096,29 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_5, receiver_24);
         var of_right_1 : View_0 = view_0(right_4, receiver_24);
         var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S400 : f32 = weights_5.x;
-        var _S401 : f32 = weights_5.y;
-        var total_8 : f32 = _S400 + _S401;
+        var _S401 : f32 = weights_5.x;
+        var _S402 : f32 = weights_5.y;
+        var total_8 : f32 = _S401 + _S402;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S402 : bool;
-        if(_S401 <= 0.0f)
+        var _S403 : bool;
+        if(_S402 <= 0.0f)
         {
-            _S402 = true;
+            _S403 = true;
         }
         else
         {
-            _S402 = ((*descent_6).choice_0 * total_8) < (_S400 * (*descent_6).weight_0);
+            _S403 = ((*descent_6).choice_0 * total_8) < (_S401 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S403 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S403 >= (vector_of_0(left_5.min_1))))))
+            var _S404 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S404 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_6 = (all((_S403 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S404 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -6074,72 +6127,72 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S402;
+            is_left_6 = _S403;
         }
-        var _S404 : f32 = (*descent_6).choice_0 * total_8;
-        var _S405 : f32;
+        var _S405 : f32 = (*descent_6).choice_0 * total_8;
+        var _S406 : f32;
         if(is_left_6)
         {
-            _S405 = 0.0f;
+            _S406 = 0.0f;
         }
         else
         {
-            _S405 = _S400 * (*descent_6).weight_0;
+            _S406 = _S401 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S404 - _S405;
-        var _S406 : u32;
-        if(is_left_6)
-        {
-            _S406 = (*descent_6).node_3 + u32(1);
-        }
-        else
-        {
-            _S406 = (*descent_6).index_15;
-        }
-        (*descent_6).node_3 = _S406;
+        (*descent_6).choice_0 = _S405 - _S406;
         var _S407 : u32;
         if(is_left_6)
         {
-            _S407 = left_5.index_11;
+            _S407 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S407 = right_4.index_11;
+            _S407 = (*descent_6).index_15;
         }
-        (*descent_6).index_15 = _S407;
+        (*descent_6).node_3 = _S407;
         var _S408 : u32;
         if(is_left_6)
         {
-            _S408 = left_5.count_1;
+            _S408 = left_5.index_11;
         }
         else
         {
-            _S408 = right_4.count_1;
+            _S408 = right_4.index_11;
         }
-        (*descent_6).count_2 = _S408;
-        var _S409 : bool;
+        (*descent_6).index_15 = _S408;
+        var _S409 : u32;
         if(is_left_6)
         {
-            _S409 = of_left_1.is_far_0;
+            _S409 = left_5.count_1;
         }
         else
         {
-            _S409 = of_right_1.is_far_0;
+            _S409 = right_4.count_1;
         }
-        (*descent_6).is_far_3 = _S409;
-        var _S410 : f32;
+        (*descent_6).count_2 = _S409;
+        var _S410 : bool;
         if(is_left_6)
         {
-            _S410 = _S400;
+            _S410 = of_left_1.is_far_0;
         }
         else
         {
-            _S410 = _S401;
+            _S410 = of_right_1.is_far_0;
         }
-        var _S411 : f32 = (*descent_6).weight_0 * _S410;
-        (*descent_6).weight_0 = _S411;
+        (*descent_6).is_far_3 = _S410;
+        var _S411 : f32;
+        if(is_left_6)
+        {
+            _S411 = _S401;
+        }
+        else
+        {
+            _S411 = _S402;
+        }
+        var _S412 : f32 = (*descent_6).weight_0 * _S411;
+        (*descent_6).weight_0 = _S412;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S411 <= 0.0f)
+        if(_S412 <= 0.0f)
         {
             return false;
         }
@@ -6150,29 +6203,29 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S412 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S413 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S414 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S412 - _S413) * _S414;
-    var toward_3 : vec3<f32> = (_S413 + _S412) * _S414 - point_7;
+    var _S413 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S414 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S415 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S413 - _S414) * _S415;
+    var toward_3 : vec3<f32> = (_S414 + _S413) * _S415 - point_7;
     var sent_2 : BySide_0 = sent_by_side_0(node_15, point_7, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S415 : f32 = way_6.choice_0 * total_9;
-    var _S416 : u32 = (*side_4);
+    var _S416 : f32 = way_6.choice_0 * total_9;
+    var _S417 : u32 = (*side_4);
     var share_8 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
-    var _S417 : bool;
+    var _S418 : bool;
     if(is_met_3)
     {
-        _S417 = u32(0) == _S416;
+        _S418 = u32(0) == _S417;
     }
     else
     {
-        _S417 = share_8 > 0.0f;
+        _S418 = share_8 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S417)
+    if(_S418)
     {
         (*side_4) = u32(0);
         chosen_8 = share_8;
@@ -6181,145 +6234,145 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S418 : bool = _S415 < (share_8 * way_6.weight_0);
+    var _S419 : bool = _S416 < (share_8 * way_6.weight_0);
     var share_9 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S417 = u32(1) == _S416;
+        _S418 = u32(1) == _S417;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S417 = !_S418;
+            _S418 = !_S419;
         }
         else
         {
-            _S417 = false;
+            _S418 = false;
         }
     }
-    if(_S417)
+    if(_S418)
     {
         (*side_4) = u32(1);
         chosen_8 = share_9;
     }
     var passed_4 : f32 = share_8 + share_9;
-    if(_S418)
+    if(_S419)
     {
-        _S417 = true;
+        _S418 = true;
     }
     else
     {
-        _S417 = _S415 < (passed_4 * way_6.weight_0);
+        _S418 = _S416 < (passed_4 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
-    var _S419 : bool;
+    var _S420 : bool;
     if(is_met_3)
     {
-        _S419 = u32(2) == _S416;
+        _S420 = u32(2) == _S417;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S419 = !_S417;
+            _S420 = !_S418;
         }
         else
         {
-            _S419 = false;
+            _S420 = false;
         }
     }
-    if(_S419)
+    if(_S420)
     {
         (*side_4) = u32(2);
         chosen_8 = share_10;
     }
     var passed_5 : f32 = passed_4 + share_10;
-    if(_S417)
+    if(_S418)
     {
-        _S417 = true;
+        _S418 = true;
     }
     else
     {
-        _S417 = _S415 < (passed_5 * way_6.weight_0);
+        _S418 = _S416 < (passed_5 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S419 = u32(3) == _S416;
+        _S420 = u32(3) == _S417;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S419 = !_S417;
+            _S420 = !_S418;
         }
         else
         {
-            _S419 = false;
+            _S420 = false;
         }
     }
-    if(_S419)
+    if(_S420)
     {
         (*side_4) = u32(3);
         chosen_8 = share_11;
     }
     var passed_6 : f32 = passed_5 + share_11;
-    if(_S417)
+    if(_S418)
     {
-        _S417 = true;
+        _S418 = true;
     }
     else
     {
-        _S417 = _S415 < (passed_6 * way_6.weight_0);
+        _S418 = _S416 < (passed_6 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S419 = u32(4) == _S416;
+        _S420 = u32(4) == _S417;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S419 = !_S417;
+            _S420 = !_S418;
         }
         else
         {
-            _S419 = false;
+            _S420 = false;
         }
     }
-    if(_S419)
+    if(_S420)
     {
         (*side_4) = u32(4);
         chosen_8 = share_12;
     }
     var passed_7 : f32 = passed_6 + share_12;
-    if(_S417)
+    if(_S418)
     {
-        _S417 = true;
+        _S418 = true;
     }
     else
     {
-        _S417 = _S415 < (passed_7 * way_6.weight_0);
+        _S418 = _S416 < (passed_7 * way_6.weight_0);
     }
     var share_13 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S417 = u32(5) == _S416;
+        _S418 = u32(5) == _S417;
     }
     else
     {
         if(share_13 > 0.0f)
         {
-            _S417 = !_S417;
+            _S418 = !_S418;
         }
         else
         {
-            _S417 = false;
+            _S418 = false;
         }
     }
-    if(_S417)
+    if(_S418)
     {
         (*side_4) = u32(5);
         chosen_8 = share_13;
@@ -6327,13 +6380,13 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S417 = ((*odds_3).x) > 0.0f;
+        _S418 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S417 = false;
+        _S418 = false;
     }
-    return _S417;
+    return _S418;
 }
 
 fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6345,45 +6398,45 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S420 : bool;
+    var _S421 : bool;
     if(!IS_SINGLE_0)
     {
-        _S420 = aim_7.is_met_0;
+        _S421 = aim_7.is_met_0;
     }
     else
     {
-        _S420 = false;
+        _S421 = false;
     }
-    if(_S420)
+    if(_S421)
     {
-        var _S421 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S421.light_leaf_0) == u32(4294967295))
+        var _S422 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S422.light_leaf_0) == u32(4294967295))
         {
-            _S420 = true;
+            _S421 = true;
         }
         else
         {
-            var _S422 : bool = climb_1(receiver_25, _S421.light_leaf_0, &(descent_7));
-            _S420 = !_S422;
+            var _S423 : bool = climb_1(receiver_25, _S422.light_leaf_0, &(descent_7));
+            _S421 = !_S423;
         }
-        if(_S420)
+        if(_S421)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S421.light_leaf_0);
+        Descent_at_2(&(descent_7), _S422.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S423 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
-            _S420 = !_S423;
+            var _S424 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
+            _S421 = !_S424;
         }
         else
         {
-            _S420 = false;
+            _S421 = false;
         }
-        if(_S420)
+        if(_S421)
         {
             return false;
         }
@@ -6391,35 +6444,35 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_25);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S424 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S424)
+    var _S425 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S425)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S425 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S425)
+    var _S426 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S426)
     {
         return false;
     }
     var power_9 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S426 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S427 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S427 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S426.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S427;
-        return _S427 > 0.0f;
+        var _S428 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S427.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S428;
+        return _S428 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_9);
-    var _S428 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S428, side_5, u_22.z, u_22.w);
+    var _S429 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S429, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_9, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S426.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S426.grid_from_world_0.translation_0), _S428, side_5, on_face_1)) - receiver_25.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S427.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S427.grid_from_world_0.translation_0), _S429, side_5, on_face_1)) - receiver_25.point_0;
     var cos_theta_9 : f32 = with_slack_0(receiver_25, divide_0(dot_product_0(receiver_25.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_25.point_0, 0.0f, direction_29, 1.0f), cos_theta_9, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_9 > 0.0f;
@@ -6427,8 +6480,8 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_26 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S429 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
-    return _S429;
+    var _S430 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
+    return _S430;
 }
 
 fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6452,9 +6505,9 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S430 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
+        var _S431 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S430;
+        is_found_11 = _S431;
     }
     else
     {
@@ -6476,15 +6529,15 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S431 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S432 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S431;
+            is_found_11 = _S432;
         }
         else
         {
-            var _S432 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S433 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S432;
+            is_found_11 = _S433;
         }
     }
     return is_found_11;
@@ -6504,8 +6557,8 @@ fn Diffuse_sample_1( this_55 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_56 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S433 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
-    return _S433;
+    var _S434 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
+    return _S434;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6600,7 +6653,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S434 : vec3<f32> = vec3<f32>(0.0f);
+    var _S435 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6608,12 +6661,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     else
     {
-        le_3 = _S434;
+        le_3 = _S435;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S435 : bool = weighs_apart_0();
-    if(_S435)
+    var _S436 : bool = weighs_apart_0();
+    if(_S436)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6641,7 +6694,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S435)
+        if(!_S436)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6651,15 +6704,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S436 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S436;
+            var _S437 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S437;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S437 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S438 : f32 = (*path_11).pdf_1;
+        var _S438 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S439 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6668,13 +6721,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S437 * vec3<f32>(mis_weight_0(_S438, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S438 * vec3<f32>(mis_weight_0(_S439, light_pdf_2));
     }
-    var _S439 : f32 = ior_of_0((*path_11).inside_0);
-    var _S440 : f32 = u_27[i32(3)];
-    var _S441 : MaterialBsdf_0 = bsdf_of_1(material_15, _S439, &(_S440));
-    u_27[i32(3)] = _S440;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S441);
+    var _S440 : f32 = ior_of_0((*path_11).inside_0);
+    var _S441 : f32 = u_27[i32(3)];
+    var _S442 : MaterialBsdf_0 = bsdf_of_1(material_15, _S440, &(_S441));
+    u_27[i32(3)] = _S441;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S442);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6683,8 +6736,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S442 : bool = !is_weighed_1;
-    if(_S442)
+    var _S443 : bool = !is_weighed_1;
+    if(_S443)
     {
         if(is_chosen_1)
         {
@@ -6704,7 +6757,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S442)
+    if(_S443)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6726,19 +6779,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_24, at_9);
-    var _S443 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
-    var _S444 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S444);
+    var _S444 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
+    var _S445 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S445);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S445 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S445;
-        var _S446 : vec3<f32> = normalize_vector_0(_S444);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S445, ray_24, t_16), _S434);
-        wo_11 = _S446;
+        var _S446 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S446;
+        var _S447 : vec3<f32> = normalize_vector_0(_S445);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S446, ray_24, t_16), _S435);
+        wo_11 = _S447;
     }
     else
     {
@@ -6748,7 +6801,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_28 = _S443;
+        receiver_28 = _S444;
         wo_11 = wo_10;
     }
     next_3.origin_9 = receiver_28.point_0;
@@ -6757,13 +6810,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         receiver_28 = last_6;
     }
-    if(_S442)
+    if(_S443)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S447 : bool = !MaterialBsdf_is_delta_0(_S441);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S441, wo_11, compensation_3, is_scattered_3, _S447);
+    var _S448 : bool = !MaterialBsdf_is_delta_0(_S442);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S442, wo_11, compensation_3, is_scattered_3, _S448);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6780,8 +6833,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S448 : bool = MaterialBsdf_sample_1(_S441, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S448)
+    var _S449 : bool = MaterialBsdf_sample_1(_S442, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S449)
     {
         return next_3;
     }
@@ -6808,53 +6861,89 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
 
 fn show_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S449 : Path_0 = path_12;
+    var _S450 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S449.inside_0))
+    if(Inside_is_in_0(_S450.inside_0))
     {
-        absorb_1(&(_S449), _S449.inside_0, ray_25, hit_17.t_0);
+        absorb_1(&(_S450), _S450.inside_0, ray_25, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S449, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S450, hit_17, beyond_9);
     (*sample_19).normal_1 = in_ten_bits_0(shading_normal_0(ray_25, hit_17, material_16));
-    (*sample_19).albedo_0 = _S449.beta_0 * albedo_of_0(material_16);
+    (*sample_19).albedo_0 = _S450.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S450 : bool = ((*this_57).path_0.bounce_0) == u32(0);
     var _S451 : bool;
-    if(goes_on_3)
+    if((*this_57).sees_mover_0)
     {
-        _S451 = _S450;
-    }
-    else
-    {
-        _S451 = false;
-    }
-    var _S452 : bool = !_S451;
-    (*this_57).has_shown_0 = _S452;
-    if(!_S452)
-    {
-        (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
+        _S451 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_18))
         {
+            _S451 = is_mover_0(hit_18.instance_0);
+        }
+        else
+        {
+            _S451 = false;
+        }
+    }
+    (*this_57).sees_mover_0 = _S451;
+    var _S452 : bool = ((*this_57).path_0.bounce_0) == u32(0);
+    if(goes_on_3)
+    {
+        _S451 = _S452;
+    }
+    else
+    {
+        _S451 = false;
+    }
+    var _S453 : bool = !_S451;
+    (*this_57).has_shown_0 = _S453;
+    if(!_S453)
+    {
+        (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
+    }
+    else
+    {
+        var _S454 : u32;
+        if(!Hit_is_miss_0(hit_18))
+        {
             show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, &((*sample_20)));
             (*sample_20).place_0 = (*this_57).camera_ray_0.origin_0 + (*this_57).camera_ray_0.direction_0 * vec3<f32>(((*this_57).way_3 + hit_18.t_0));
-            var _S453 : u32;
             if(((*this_57).way_3) > 0.0f)
             {
-                _S453 = u32(4294967295);
+                if((*this_57).sees_mover_0)
+                {
+                    _S454 = u32(4294967295);
+                }
+                else
+                {
+                    _S454 = u32(4294967294);
+                }
             }
             else
             {
-                _S453 = hit_18.instance_0;
+                _S454 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S453;
+            (*sample_20).instance_7 = _S454;
+        }
+        else
+        {
+            (*sample_20).albedo_0 = vec3<f32>(0.0f);
+            if((*this_57).sees_mover_0)
+            {
+                _S454 = u32(4294967295);
+            }
+            else
+            {
+                _S454 = u32(4294967294);
+            }
+            (*sample_20).instance_7 = _S454;
         }
     }
     return;
@@ -6885,18 +6974,18 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S454 : vec4<f32>;
+        var _S455 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S454 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S455 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S454 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S455 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S454;
-        var _S455 : bool = count_6 > u32(1);
-        if(_S455)
+        u_28 = _S455;
+        var _S456 : bool = count_6 > u32(1);
+        if(_S456)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
@@ -6907,7 +6996,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S456 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
+        var _S457 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -6915,41 +7004,41 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S456;
+            wi_7 = _S457;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S457 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_9 : f32 = luminance_0(_S457);
-        var _S458 : bool;
+        var _S458 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_9 : f32 = luminance_0(_S458);
+        var _S459 : bool;
         if(weighs_candidates_0)
         {
-            _S458 = _S455;
+            _S459 = _S456;
         }
         else
         {
-            _S458 = false;
+            _S459 = false;
         }
         var weight_10 : f32;
-        if(_S458)
+        if(_S459)
         {
-            var _S459 : f32 = visibility_0(light_11.ray_13);
-            weight_10 = weight_9 * _S459;
+            var _S460 : f32 = visibility_0(light_11.ray_13);
+            weight_10 = weight_9 * _S460;
         }
         else
         {
             weight_10 = weight_9;
         }
         var sum_8 : f32 = sum_7 + weight_10;
-        var _S460 : bool;
-        if(_S455)
+        var _S461 : bool;
+        if(_S456)
         {
-            _S460 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
+            _S461 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
         }
         else
         {
-            _S460 = false;
+            _S461 = false;
         }
-        if(_S460)
+        if(_S461)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -6960,7 +7049,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_13.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_13.t_max_0;
-            (*next_4).light_2 = _S457;
+            (*next_4).light_2 = _S458;
             chosen_10 = weight_10;
         }
         else
@@ -6971,9 +7060,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S461 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S461;
-    if(_S461)
+    var _S462 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S462;
+    if(_S462)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -6983,7 +7072,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
-    var _S462 : bool = (*at_10).is_at_cell_0;
+    var _S463 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
@@ -6994,8 +7083,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S463 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S463;
+        var _S464 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S464;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -7006,8 +7095,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S464 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S464;
+            var _S465 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S465;
         }
         else
         {
@@ -7015,12 +7104,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S463;
-        var _S465 : Path_0 = (*at_10).path_0;
-        var _S466 : NextRays_0 = PathTracingOf_advance_1(&(_S465), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S465;
-        next_5 = _S466;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S463)));
+        var emitted_4 : vec3<f32> = _S464;
+        var _S466 : Path_0 = (*at_10).path_0;
+        var _S467 : NextRays_0 = PathTracingOf_advance_1(&(_S466), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S466;
+        next_5 = _S467;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S464)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -7035,44 +7124,44 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if(!_S462)
+    if(!_S463)
     {
-        var _S467 : bool;
+        var _S468 : bool;
         if(counts_arrivals_0)
         {
-            _S467 = next_5.has_shadow_ray_0;
+            _S468 = next_5.has_shadow_ray_0;
         }
         else
         {
-            _S467 = false;
+            _S468 = false;
         }
-        if(_S467)
+        if(_S468)
         {
-            _S467 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S468 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S467 = false;
+            _S468 = false;
         }
-        if(_S467)
+        if(_S468)
         {
-            _S467 = !scatter_of_path_0.is_scattered_0;
+            _S468 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S467 = false;
+            _S468 = false;
         }
-        if(_S467)
+        if(_S468)
         {
-            _S467 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S468 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S467 = false;
+            _S468 = false;
         }
-        (*at_10).counts_0 = _S467;
+        (*at_10).counts_0 = _S468;
     }
-    if(_S462)
+    if(_S463)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -7191,7 +7280,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S468 : vec3<f32> = vec3<f32>(0.0f);
+    var _S469 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7199,12 +7288,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     else
     {
-        le_5 = _S468;
+        le_5 = _S469;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_26.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S469 : bool = weighs_apart_0();
-    if(_S469)
+    var _S470 : bool = weighs_apart_0();
+    if(_S470)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7232,7 +7321,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S469)
+        if(!_S470)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7242,15 +7331,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S470 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S470;
+            var _S471 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S471;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S471 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S472 : f32 = (*path_13).pdf_1;
+        var _S472 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S473 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7259,13 +7348,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S471 * vec3<f32>(mis_weight_0(_S472, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S472 * vec3<f32>(mis_weight_0(_S473, light_pdf_3));
     }
-    var _S473 : f32 = ior_of_0((*path_13).inside_0);
-    var _S474 : f32 = u_29[i32(3)];
-    var _S475 : MaterialBsdf_0 = bsdf_of_1(material_17, _S473, &(_S474));
-    u_29[i32(3)] = _S474;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S475);
+    var _S474 : f32 = ior_of_0((*path_13).inside_0);
+    var _S475 : f32 = u_29[i32(3)];
+    var _S476 : MaterialBsdf_0 = bsdf_of_1(material_17, _S474, &(_S475));
+    u_29[i32(3)] = _S475;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S476);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7274,8 +7363,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S476 : bool = !is_weighed_2;
-    if(_S476)
+    var _S477 : bool = !is_weighed_2;
+    if(_S477)
     {
         if(is_chosen_2)
         {
@@ -7295,7 +7384,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S476)
+    if(_S477)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7317,19 +7406,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_26, at_11);
-    var _S477 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
-    var _S478 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S478);
+    var _S478 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
+    var _S479 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S479);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_29 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S479 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S479;
-        var _S480 : vec3<f32> = normalize_vector_0(_S478);
-        receiver_29 = Receiver_x24init_0(Inside_point_0(_S479, ray_26, t_17), _S468);
-        wo_13 = _S480;
+        var _S480 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S480;
+        var _S481 : vec3<f32> = normalize_vector_0(_S479);
+        receiver_29 = Receiver_x24init_0(Inside_point_0(_S480, ray_26, t_17), _S469);
+        wo_13 = _S481;
     }
     else
     {
@@ -7339,7 +7428,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_29 = _S477;
+        receiver_29 = _S478;
         wo_13 = wo_12;
     }
     next_6.origin_9 = receiver_29.point_0;
@@ -7348,13 +7437,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         receiver_29 = last_7;
     }
-    if(_S476)
+    if(_S477)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_29);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S481 : bool = !MaterialBsdf_is_delta_0(_S475);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S475, wo_13, compensation_4, is_scattered_4, _S481);
+    var _S482 : bool = !MaterialBsdf_is_delta_0(_S476);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S476, wo_13, compensation_4, is_scattered_4, _S482);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7371,8 +7460,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S482 : bool = MaterialBsdf_sample_1(_S475, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S482)
+    var _S483 : bool = MaterialBsdf_sample_1(_S476, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S483)
     {
         return next_6;
     }
@@ -7400,7 +7489,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
-    var _S483 : bool = (*at_12).is_at_cell_0;
+    var _S484 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
@@ -7411,8 +7500,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S484 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S484;
+        var _S485 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S485;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7423,8 +7512,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S485 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S485;
+            var _S486 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S486;
         }
         else
         {
@@ -7432,12 +7521,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S484;
-        var _S486 : Path_0 = (*at_12).path_0;
-        var _S487 : NextRays_0 = PathTracingOf_advance_1(&(_S486), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S486;
-        next_7 = _S487;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S484)));
+        var emitted_5 : vec3<f32> = _S485;
+        var _S487 : Path_0 = (*at_12).path_0;
+        var _S488 : NextRays_0 = PathTracingOf_advance_1(&(_S487), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S487;
+        next_7 = _S488;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S485)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7448,7 +7537,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if(_S483)
+    if(_S484)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7490,22 +7579,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S488 : u32 = u32(2) * index_30;
-    var _S489 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S488);
-    var _S490 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S488 + u32(1));
+    var _S489 : u32 = u32(2) * index_30;
+    var _S490 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S489);
+    var _S491 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S489 + u32(1));
     var node_16 : InstanceNode_0;
-    var _S491 : f32 = (bitcast<f32>((_S489.y)));
-    var _S492 : f32 = (bitcast<f32>((_S489.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((_S489.x)));
-    node_16.min_2[i32(1)] = _S491;
-    node_16.min_2[i32(2)] = _S492;
-    node_16.index_29 = _S489.w;
-    var _S493 : f32 = (bitcast<f32>((_S490.y)));
-    var _S494 : f32 = (bitcast<f32>((_S490.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((_S490.x)));
-    node_16.max_2[i32(1)] = _S493;
-    node_16.max_2[i32(2)] = _S494;
-    node_16.is_leaf_0 = _S490.w;
+    var _S492 : f32 = (bitcast<f32>((_S490.y)));
+    var _S493 : f32 = (bitcast<f32>((_S490.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((_S490.x)));
+    node_16.min_2[i32(1)] = _S492;
+    node_16.min_2[i32(2)] = _S493;
+    node_16.index_29 = _S490.w;
+    var _S494 : f32 = (bitcast<f32>((_S491.y)));
+    var _S495 : f32 = (bitcast<f32>((_S491.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((_S491.x)));
+    node_16.max_2[i32(1)] = _S494;
+    node_16.max_2[i32(2)] = _S495;
+    node_16.is_leaf_0 = _S491.w;
     return node_16;
 }
 
@@ -7513,17 +7602,17 @@ fn entry_0( node_17 : InstanceNode_0,  ray_27 : Ray_0,  inverse_3 : vec3<f32>) -
 {
     var low_16 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_27.origin_0) * inverse_3;
     var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_27.origin_0) * inverse_3;
-    var _S495 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
-    var _S496 : f32;
-    if(_S495 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
+    var _S496 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
+    var _S497 : f32;
+    if(_S496 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
     {
-        _S496 = _S495;
+        _S497 = _S496;
     }
     else
     {
-        _S496 = (bitcast<f32>(infinity_bits_0));
+        _S497 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S496;
+    return _S497;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
@@ -7531,8 +7620,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S497 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S497;
+        var _S498 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S498;
     }
     var ray_28 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -7541,15 +7630,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S498 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S499 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S499 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S500 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S500 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S501 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S500;
+    var is_leaf_2 : bool = _S501;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S499.index_29;
+    var below_1 : u32 = _S500.index_29;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -7559,16 +7648,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S501 : bool;
+            var _S502 : bool;
             if(is_done_1)
             {
-                _S501 = depth_1 > u32(0);
+                _S502 = depth_1 > u32(0);
             }
             else
             {
-                _S501 = !is_leaf_2;
+                _S502 = !is_leaf_2;
             }
-            if(_S501)
+            if(_S502)
             {
             }
             else
@@ -7579,25 +7668,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S502 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S503 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S503 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S504 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_28.t_max_0);
-                is_leaf_1 = _S503;
+                is_leaf_1 = _S504;
                 index_32 = stack_0[depth_2];
-                below_2 = _S502.index_29;
+                below_2 = _S503.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S504 : u32 = index_31 + u32(1);
-                var _S505 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S504);
-                var _S506 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S505, ray_28, _S498);
-                var to_right_0 : f32 = entry_0(_S506, ray_28, _S498);
+                var _S505 : u32 = index_31 + u32(1);
+                var _S506 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S505);
+                var _S507 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S506, ray_28, _S499);
+                var to_right_0 : f32 = entry_0(_S507, ray_28, _S499);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S507 : f32 = max(to_left_0, to_right_0);
+                var _S508 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S507 < INFINITY_0)
+                if(_S508 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7605,51 +7694,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_32 = _S504;
+                        index_32 = _S505;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S507;
+                    entries_0[depth_1] = _S508;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S508 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S509 : u32;
-                if(is_left_7)
-                {
-                    _S509 = _S504;
-                }
-                else
-                {
-                    _S509 = below_2;
-                }
+                var _S509 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
                 var _S510 : u32;
                 if(is_left_7)
                 {
-                    _S510 = _S505.index_29;
+                    _S510 = _S505;
                 }
                 else
                 {
-                    _S510 = _S506.index_29;
+                    _S510 = below_2;
                 }
                 var _S511 : u32;
                 if(is_left_7)
                 {
-                    _S511 = _S505.is_leaf_0;
+                    _S511 = _S506.index_29;
                 }
                 else
                 {
-                    _S511 = _S506.is_leaf_0;
+                    _S511 = _S507.index_29;
                 }
-                var _S512 : bool = _S511 != u32(0);
-                var _S513 : u32 = index_32;
-                is_done_1 = _S508;
-                is_leaf_1 = _S512;
-                index_32 = _S509;
-                below_2 = _S510;
-                depth_1 = _S513;
+                var _S512 : u32;
+                if(is_left_7)
+                {
+                    _S512 = _S506.is_leaf_0;
+                }
+                else
+                {
+                    _S512 = _S507.is_leaf_0;
+                }
+                var _S513 : bool = _S512 != u32(0);
+                var _S514 : u32 = index_32;
+                is_done_1 = _S509;
+                is_leaf_1 = _S513;
+                index_32 = _S510;
+                below_2 = _S511;
+                depth_1 = _S514;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7658,17 +7747,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         {
             break;
         }
-        var _S514 : Hit_0 = hit_in_0(below_2, &(ray_28));
-        var _S515 : Hit_0 = nearest_4;
-        if((_S514.t_0) < (nearest_4.t_0))
+        var _S515 : Hit_0 = hit_in_0(below_2, &(ray_28));
+        var _S516 : Hit_0 = nearest_4;
+        if((_S515.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S514.t_0) == (_S515.t_0))
+            if((_S515.t_0) == (_S516.t_0))
             {
-                is_leaf_1 = (_S514.instance_0) < (nearest_4.instance_0);
+                is_leaf_1 = (_S515.instance_0) < (nearest_4.instance_0);
             }
             else
             {
@@ -7677,12 +7766,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         }
         if(is_leaf_1)
         {
-            ray_28.t_max_0 = _S514.t_0;
+            ray_28.t_max_0 = _S515.t_0;
             if(is_any_enough_0)
             {
-                return _S514;
+                return _S515;
             }
-            nearest_4 = _S514;
+            nearest_4 = _S515;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -7696,8 +7785,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S516 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S516;
+        var _S517 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S517;
     }
     var ray_29 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -7706,15 +7795,15 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S517 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S518 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S518 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S519 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S519 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S520 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S519;
+    var is_leaf_4 : bool = _S520;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S518.index_29;
+    var below_3 : u32 = _S519.index_29;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
@@ -7724,16 +7813,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S520 : bool;
+            var _S521 : bool;
             if(is_done_3)
             {
-                _S520 = depth_4 > u32(0);
+                _S521 = depth_4 > u32(0);
             }
             else
             {
-                _S520 = !is_leaf_4;
+                _S521 = !is_leaf_4;
             }
-            if(_S520)
+            if(_S521)
             {
             }
             else
@@ -7744,25 +7833,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S521 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S522 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                var _S522 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S523 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
                 is_done_3 = (entries_1[depth_5]) > (ray_29.t_max_0);
-                is_leaf_3 = _S522;
+                is_leaf_3 = _S523;
                 index_34 = stack_1[depth_5];
-                below_4 = _S521.index_29;
+                below_4 = _S522.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S523 : u32 = index_33 + u32(1);
-                var _S524 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S523);
-                var _S525 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S524, ray_29, _S517);
-                var to_right_1 : f32 = entry_0(_S525, ray_29, _S517);
+                var _S524 : u32 = index_33 + u32(1);
+                var _S525 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S524);
+                var _S526 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S525, ray_29, _S518);
+                var to_right_1 : f32 = entry_0(_S526, ray_29, _S518);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S526 : f32 = max(to_left_1, to_right_1);
+                var _S527 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S526 < INFINITY_1)
+                if(_S527 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7770,51 +7859,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
                     }
                     else
                     {
-                        index_34 = _S523;
+                        index_34 = _S524;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S526;
+                    entries_1[depth_4] = _S527;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S527 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S528 : u32;
-                if(is_left_8)
-                {
-                    _S528 = _S523;
-                }
-                else
-                {
-                    _S528 = below_4;
-                }
+                var _S528 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
                 var _S529 : u32;
                 if(is_left_8)
                 {
-                    _S529 = _S524.index_29;
+                    _S529 = _S524;
                 }
                 else
                 {
-                    _S529 = _S525.index_29;
+                    _S529 = below_4;
                 }
                 var _S530 : u32;
                 if(is_left_8)
                 {
-                    _S530 = _S524.is_leaf_0;
+                    _S530 = _S525.index_29;
                 }
                 else
                 {
-                    _S530 = _S525.is_leaf_0;
+                    _S530 = _S526.index_29;
                 }
-                var _S531 : bool = _S530 != u32(0);
-                var _S532 : u32 = index_34;
-                is_done_3 = _S527;
-                is_leaf_3 = _S531;
-                index_34 = _S528;
-                below_4 = _S529;
-                depth_4 = _S532;
+                var _S531 : u32;
+                if(is_left_8)
+                {
+                    _S531 = _S525.is_leaf_0;
+                }
+                else
+                {
+                    _S531 = _S526.is_leaf_0;
+                }
+                var _S532 : bool = _S531 != u32(0);
+                var _S533 : u32 = index_34;
+                is_done_3 = _S528;
+                is_leaf_3 = _S532;
+                index_34 = _S529;
+                below_4 = _S530;
+                depth_4 = _S533;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7823,17 +7912,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         {
             break;
         }
-        var _S533 : Hit_0 = hit_in_1(below_4, &(ray_29));
-        var _S534 : Hit_0 = nearest_6;
-        if((_S533.t_0) < (nearest_6.t_0))
+        var _S534 : Hit_0 = hit_in_1(below_4, &(ray_29));
+        var _S535 : Hit_0 = nearest_6;
+        if((_S534.t_0) < (nearest_6.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S533.t_0) == (_S534.t_0))
+            if((_S534.t_0) == (_S535.t_0))
             {
-                is_leaf_3 = (_S533.instance_0) < (nearest_6.instance_0);
+                is_leaf_3 = (_S534.instance_0) < (nearest_6.instance_0);
             }
             else
             {
@@ -7842,12 +7931,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         }
         if(is_leaf_3)
         {
-            ray_29.t_max_0 = _S533.t_0;
+            ray_29.t_max_0 = _S534.t_0;
             if(is_any_enough_1)
             {
-                return _S533;
+                return _S534;
             }
-            nearest_6 = _S533;
+            nearest_6 = _S534;
         }
         is_done_2 = true;
         below_3 = below_4;
@@ -7863,11 +7952,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S535 : Sampler_0;
-    _S535.seed_1 = seed_3;
-    _S535.pixel_0 = pixel_1;
-    _S535.sample_0 = sample_23;
-    return _S535;
+    var _S536 : Sampler_0;
+    _S536.seed_1 = seed_3;
+    _S536.pixel_0 = pixel_1;
+    _S536.sample_0 = sample_23;
+    return _S536;
 }
 
 struct Item_0
@@ -7882,14 +7971,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S536 : Item_0;
-    _S536.traces_0 = traces_1;
-    _S536.kind_2 = kind_3;
-    _S536.at_13 = at_14;
-    _S536.place_7 = place_8;
-    _S536.slot_0 = slot_1;
-    _S536.sampler_2 = sampler_3;
-    return _S536;
+    var _S537 : Item_0;
+    _S537.traces_0 = traces_1;
+    _S537.kind_2 = kind_3;
+    _S537.at_13 = at_14;
+    _S537.place_7 = place_8;
+    _S537.slot_0 = slot_1;
+    _S537.sampler_2 = sampler_3;
+    return _S537;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -7950,58 +8039,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S537 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S537;
+        var _S538 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S538;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S538 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S538);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S538 + real_time_0.number_0) & (u32(1))));
+    var _S539 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S539);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S539 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S539 : vec2<u32> = vec2<u32>(u32(5));
-    var _S540 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S539 - vec2<u32>(u32(1))) / _S539;
-    return _S540;
+    var _S540 : vec2<u32> = vec2<u32>(u32(5));
+    var _S541 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S540 - vec2<u32>(u32(1))) / _S540;
+    return _S541;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S541 : u32 = square_1 % columns_1;
-    var _S542 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S541, _S542);
-    var _S543 : vec2<u32> = vec2<u32>(u32(5));
-    var _S544 : vec2<u32> = at_16 * _S543;
-    var _S545 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S543;
-    return min(_S544 + _S545, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S542 : u32 = square_1 % columns_1;
+    var _S543 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S542, _S543);
+    var _S544 : vec2<u32> = vec2<u32>(u32(5));
+    var _S545 : vec2<u32> = at_16 * _S544;
+    var _S546 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S544;
+    return min(_S545 + _S546, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S546 : bool;
+    var _S547 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S546 = (at_17.x) < i32(params_0.width_0);
+        _S547 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S546 = false;
+        _S547 = false;
     }
-    if(_S546)
+    if(_S547)
     {
-        _S546 = (at_17.y) < i32(params_0.height_0);
+        _S547 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S546 = false;
+        _S547 = false;
     }
-    return _S546;
+    return _S547;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -8023,23 +8112,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S547 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S548 : bool = number_4 < _S547;
-        item_0.traces_0 = _S548;
-        if(_S548)
+        var _S548 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S549 : bool = number_4 < _S548;
+        item_0.traces_0 = _S549;
+        if(_S549)
         {
-            var _S549 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S549;
+            var _S550 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S550;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S550 : u32 = number_4 - cells_2;
-    var _S551 : vec2<u32> = pixel_that_traces_0(_S550);
-    item_0.at_13 = _S551;
-    var square_3 : u32 = _S550 - pixels_1;
+    var _S551 : u32 = number_4 - cells_2;
+    var _S552 : vec2<u32> = pixel_that_traces_0(_S551);
+    item_0.at_13 = _S552;
+    var square_3 : u32 = _S551 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -8068,82 +8157,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S552 : u32;
+    var _S553 : u32;
     if(is_again_0)
     {
-        _S552 = u32(3);
+        _S553 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S552 = u32(2);
+            _S553 = u32(2);
         }
         else
         {
-            _S552 = u32(1);
+            _S553 = u32(1);
         }
     }
-    item_0.kind_2 = _S552;
+    item_0.kind_2 = _S553;
     if(is_square_0)
     {
-        var _S553 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S553;
+        var _S554 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S554;
     }
-    var _S554 : bool;
+    var _S555 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S552 = real_time_0.again_0;
+            _S553 = real_time_0.again_0;
         }
         else
         {
-            _S552 = count_8;
+            _S553 = count_8;
         }
-        _S554 = square_4 < _S552;
+        _S555 = square_4 < _S553;
     }
     else
     {
-        _S554 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S555 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S554;
+    item_0.traces_0 = _S555;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S552 = u32(2);
+            _S553 = u32(2);
         }
         else
         {
-            _S552 = (frame_0 & (u32(1)));
+            _S553 = (frame_0 & (u32(1)));
         }
-        _S552 = place_of_square_0(_S552, square_4);
+        _S553 = place_of_square_0(_S553, square_4);
     }
     else
     {
-        _S552 = index_of_0(item_0.at_13);
+        _S553 = index_of_0(item_0.at_13);
     }
-    item_0.place_7 = _S552;
+    item_0.place_7 = _S553;
     if(is_square_0)
     {
-        _S552 = real_time_0.pixels_0 + square_4;
+        _S553 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S552 = item_0.place_7;
+        _S553 = item_0.place_7;
     }
-    item_0.slot_0 = _S552;
-    var _S555 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S553;
+    var _S556 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S552 = u32(3266489909);
+        _S553 = u32(3266489909);
     }
     else
     {
-        _S552 = u32(2654435769);
+        _S553 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S555 ^ (_S552)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S556 ^ (_S553)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8161,16 +8250,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S556 : CameraFrame_0;
-    _S556.lens_1 = lens_2;
-    _S556.eye_2 = eye_3;
-    _S556.corner_2 = corner_3;
-    _S556.pixel_x_1 = pixel_x_2;
-    _S556.pixel_y_1 = pixel_y_2;
-    _S556.lens_x_1 = lens_x_2;
-    _S556.lens_y_1 = lens_y_2;
-    _S556.blades_1 = blades_2;
-    return _S556;
+    var _S557 : CameraFrame_0;
+    _S557.lens_1 = lens_2;
+    _S557.eye_2 = eye_3;
+    _S557.corner_2 = corner_3;
+    _S557.pixel_x_1 = pixel_x_2;
+    _S557.pixel_y_1 = pixel_y_2;
+    _S557.lens_x_1 = lens_x_2;
+    _S557.lens_y_1 = lens_y_2;
+    _S557.blades_1 = blades_2;
+    return _S557;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8185,12 +8274,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S557 : Perspective_0;
-    _S557.eye_4 = eye_5;
-    _S557.corner_4 = corner_5;
-    _S557.pixel_x_3 = pixel_x_4;
-    _S557.pixel_y_3 = pixel_y_4;
-    return _S557;
+    var _S558 : Perspective_0;
+    _S558.eye_4 = eye_5;
+    _S558.corner_4 = corner_5;
+    _S558.pixel_x_3 = pixel_x_4;
+    _S558.pixel_y_3 = pixel_y_4;
+    return _S558;
 }
 
 struct Axes_0
@@ -8202,11 +8291,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S558 : Axes_0;
-    _S558.forward_0 = forward_1;
-    _S558.right_5 = right_6;
-    _S558.up_0 = up_1;
-    return _S558;
+    var _S559 : Axes_0;
+    _S559.forward_0 = forward_1;
+    _S559.right_5 = right_6;
+    _S559.up_0 = up_1;
+    return _S559;
 }
 
 struct ThinLens_0
@@ -8219,28 +8308,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S559 : ThinLens_0;
-    _S559.perspective_0 = perspective_1;
-    _S559.lens_x_3 = lens_x_4;
-    _S559.lens_y_3 = lens_y_4;
-    _S559.blades_3 = blades_4;
-    return _S559;
+    var _S560 : ThinLens_0;
+    _S560.perspective_0 = perspective_1;
+    _S560.lens_x_3 = lens_x_4;
+    _S560.lens_y_3 = lens_y_4;
+    _S560.blades_3 = blades_4;
+    return _S560;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S560 : bool;
+    var _S561 : bool;
     if(a_6 == 0.0f)
     {
-        _S560 = b_6 == 0.0f;
+        _S561 = b_6 == 0.0f;
     }
     else
     {
-        _S560 = false;
+        _S561 = false;
     }
-    if(_S560)
+    if(_S561)
     {
         return vec2<f32>(0.0f);
     }
@@ -8267,7 +8356,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S561 : f32 = abs(radius_5);
+    var _S562 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8276,7 +8365,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S561, radius_5);
+    return vec2<f32>(_S562, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8294,9 +8383,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_14 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S562 : f32 = from_0.y;
-    var _S563 : f32 = from_0.x;
-    return vec2<f32>(_S562 + (to_0.y - _S562) * share_14, _S563 + (to_0.x - _S563) * share_14) * vec2<f32>(radius_6);
+    var _S563 : f32 = from_0.y;
+    var _S564 : f32 = from_0.x;
+    return vec2<f32>(_S563 + (to_0.y - _S563) * share_14, _S564 + (to_0.x - _S564) * share_14) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8316,12 +8405,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S564 : Orthographic_0;
-    _S564.corner_6 = corner_7;
-    _S564.pixel_x_5 = pixel_x_6;
-    _S564.pixel_y_5 = pixel_y_6;
-    _S564.forward_2 = forward_3;
-    return _S564;
+    var _S565 : Orthographic_0;
+    _S565.corner_6 = corner_7;
+    _S565.pixel_x_5 = pixel_x_6;
+    _S565.pixel_y_5 = pixel_y_6;
+    _S565.forward_2 = forward_3;
+    return _S565;
 }
 
 fn Orthographic_ray_0( this_62 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8339,12 +8428,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S565 : Panorama_0;
-    _S565.eye_6 = eye_7;
-    _S565.axes_1 = axes_2;
-    _S565.inverse_size_0 = inverse_size_1;
-    _S565.half_eye_distance_0 = half_eye_distance_1;
-    return _S565;
+    var _S566 : Panorama_0;
+    _S566.eye_6 = eye_7;
+    _S566.axes_1 = axes_2;
+    _S566.inverse_size_0 = inverse_size_1;
+    _S566.half_eye_distance_0 = half_eye_distance_1;
+    return _S566;
 }
 
 fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8371,9 +8460,9 @@ fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_63.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S566 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S567 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S567 - this_63.axes_1.right_5 * _S566) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S566 + this_63.axes_1.right_5 * _S567) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S567 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S568 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S568 - this_63.axes_1.right_5 * _S567) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S567 + this_63.axes_1.right_5 * _S568) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8386,12 +8475,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S568 : Fisheye_0;
-    _S568.eye_8 = eye_9;
-    _S568.axes_3 = axes_4;
-    _S568.middle_1 = middle_2;
-    _S568.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S568;
+    var _S569 : Fisheye_0;
+    _S569.eye_8 = eye_9;
+    _S569.axes_3 = axes_4;
+    _S569.middle_1 = middle_2;
+    _S569.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S569;
 }
 
 fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8454,14 +8543,14 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_30 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S569 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
-    return _S569;
+    var _S570 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
+    return _S570;
 }
 
 fn WalkTracer_trace_1( ray_31 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S570 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
-    return _S570;
+    var _S571 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
+    return _S571;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8507,29 +8596,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_32 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S571 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
-        keep_hit_0(item_1.slot_0, _S571);
+        var _S572 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
+        keep_hit_0(item_1.slot_0, _S572);
     }
     return;
 }
 
-fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_10 : vec3<f32>,  instance_15 : u32) -> Sample_0
+fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_10 : vec3<f32>,  instance_16 : u32) -> Sample_0
 {
-    var _S572 : Sample_0;
-    _S572.direct_0 = direct_1;
-    _S572.light_1 = light_14;
-    _S572.is_shown_0 = is_shown_1;
-    _S572.albedo_0 = albedo_1;
-    _S572.normal_1 = normal_7;
-    _S572.place_0 = place_10;
-    _S572.instance_7 = instance_15;
-    return _S572;
+    var _S573 : Sample_0;
+    _S573.direct_0 = direct_1;
+    _S573.light_1 = light_14;
+    _S573.is_shown_0 = is_shown_1;
+    _S573.albedo_0 = albedo_1;
+    _S573.normal_1 = normal_7;
+    _S573.place_0 = place_10;
+    _S573.instance_7 = instance_16;
+    return _S573;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S573 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S573, _S573, false, _S573, _S573, _S573, u32(4294967295));
+    var _S574 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S574, _S574, false, _S574, _S574, _S574, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_67 : Item_0) -> bool
@@ -8539,28 +8628,28 @@ fn Item_is_cell_0( this_67 : Item_0) -> bool
 
 fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S574 : u32 = Key_level_0(this_68);
-    var bits_4 : u32 = ((u32(1) << (_S574))) - u32(1);
+    var _S575 : u32 = Key_level_0(this_68);
+    var bits_4 : u32 = ((u32(1) << (_S575))) - u32(1);
     var place_11 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_68)))))));
-    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S574)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S574))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S574)))) & (bits_4))));
+    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S575)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S575))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S575)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_8 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S575 : Path_0;
-    _S575.sampler_0 = sampler_5;
-    _S575.bounce_0 = bounce_4;
-    _S575.event_0 = event_2;
-    _S575.kinds_0 = kinds_1;
-    _S575.scattered_0 = scattered_5;
-    _S575.beta_0 = beta_1;
-    _S575.pdf_1 = pdf_14;
-    _S575.normal_0 = normal_8;
-    _S575.selection_0 = selection_5;
-    _S575.passed_t_0 = passed_t_1;
-    _S575.inside_0 = inside_8;
-    _S575.is_clipped_0 = is_clipped_1;
-    return _S575;
+    var _S576 : Path_0;
+    _S576.sampler_0 = sampler_5;
+    _S576.bounce_0 = bounce_4;
+    _S576.event_0 = event_2;
+    _S576.kinds_0 = kinds_1;
+    _S576.scattered_0 = scattered_5;
+    _S576.beta_0 = beta_1;
+    _S576.pdf_1 = pdf_14;
+    _S576.normal_0 = normal_8;
+    _S576.selection_0 = selection_5;
+    _S576.passed_t_0 = passed_t_1;
+    _S576.inside_0 = inside_8;
+    _S576.is_clipped_0 = is_clipped_1;
+    return _S576;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8570,9 +8659,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S576 : f32 = z_1.z;
+    var _S577 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S576 < 0.0f)
+    if(_S577 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -8580,12 +8669,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_0 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S576);
-    var _S577 : f32 = z_1.x;
-    var _S578 : f32 = z_1.y;
-    var b_7 : f32 = _S577 * _S578 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_0 * _S577 * _S577 * a_7, sign_0 * b_7, - sign_0 * _S577);
-    (*y_6) = vec3<f32>(b_7, sign_0 + _S578 * _S578 * a_7, - _S578);
+    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S577);
+    var _S578 : f32 = z_1.x;
+    var _S579 : f32 = z_1.y;
+    var b_7 : f32 = _S578 * _S579 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_0 * _S578 * _S578 * a_7, sign_0 * b_7, - sign_0 * _S578);
+    (*y_6) = vec3<f32>(b_7, sign_0 + _S579 * _S579 * a_7, - _S579);
     return;
 }
 
@@ -8596,9 +8685,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S579 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S579);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S579);
+    var _S580 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S580);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S580);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8608,42 +8697,43 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_10, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S580 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S580);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S580);
+    var _S581 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S581);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S581);
 }
 
-fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_16 : u32) -> Surface_0
+fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_17 : u32) -> Surface_0
 {
-    var _S581 : Surface_0;
-    _S581.origin_11 = origin_13;
-    _S581.normal_3 = normal_11;
-    _S581.face_2 = face_11;
-    _S581.instance_11 = instance_16;
-    return _S581;
-}
-
-fn Walker_x24init_0( path_14 : Path_0,  ray_33 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool,  counts_1 : bool) -> Walker_0
-{
-    var _S582 : Walker_0;
-    _S582.path_0 = path_14;
-    _S582.ray_7 = ray_33;
-    _S582.is_shadow_ray_0 = is_shadow_ray_1;
-    _S582.light_0 = light_15;
-    _S582.direction_4 = direction_30;
-    _S582.path_origin_0 = path_origin_3;
-    _S582.shadow_inside_0 = shadow_inside_3;
-    _S582.boundaries_0 = boundaries_1;
-    _S582.relocates_0 = relocates_3;
-    _S582.path_relocates_0 = path_relocates_3;
-    _S582.camera_ray_0 = camera_ray_2;
-    _S582.way_3 = way_7;
-    _S582.has_shown_0 = has_shown_1;
-    _S582.asks_cache_0 = asks_cache_1;
-    _S582.life_0 = life_3;
-    _S582.is_at_cell_0 = is_at_cell_1;
-    _S582.counts_0 = counts_1;
+    var _S582 : Surface_0;
+    _S582.origin_11 = origin_13;
+    _S582.normal_3 = normal_11;
+    _S582.face_2 = face_11;
+    _S582.instance_11 = instance_17;
     return _S582;
+}
+
+fn Walker_x24init_0( path_14 : Path_0,  ray_33 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool,  counts_1 : bool,  sees_mover_1 : bool) -> Walker_0
+{
+    var _S583 : Walker_0;
+    _S583.path_0 = path_14;
+    _S583.ray_7 = ray_33;
+    _S583.is_shadow_ray_0 = is_shadow_ray_1;
+    _S583.light_0 = light_15;
+    _S583.direction_4 = direction_30;
+    _S583.path_origin_0 = path_origin_3;
+    _S583.shadow_inside_0 = shadow_inside_3;
+    _S583.boundaries_0 = boundaries_1;
+    _S583.relocates_0 = relocates_3;
+    _S583.path_relocates_0 = path_relocates_3;
+    _S583.camera_ray_0 = camera_ray_2;
+    _S583.way_3 = way_7;
+    _S583.has_shown_0 = has_shown_1;
+    _S583.asks_cache_0 = asks_cache_1;
+    _S583.life_0 = life_3;
+    _S583.is_at_cell_0 = is_at_cell_1;
+    _S583.counts_0 = counts_1;
+    _S583.sees_mover_0 = sees_mover_1;
+    return _S583;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8651,7 +8741,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S583 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S584 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8668,13 +8758,13 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S584 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_14 : vec3<f32> = Transform_point_0(_S584.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S584.grid_from_world_0.translation_0), _S583, face_12, _S583 + on_face_2));
-    var normal_12 : vec3<f32> = world_normal_0(_S584, face_12);
+    var _S585 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S585.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S585.grid_from_world_0.translation_0), _S584, face_12, _S584 + on_face_2));
+    var normal_12 : vec3<f32> = world_normal_0(_S585, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S585 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S585));
-    path_15.pdf_1 = _S585;
+    var _S586 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S586));
+    path_15.pdf_1 = _S586;
     var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_12);
     path_15.selection_0 = Lights_selection_0(receiver_30);
     path_15.normal_0 = normal_12;
@@ -8687,7 +8777,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_30, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_34 : Ray_0 = ray_from_0(origin_14, direction_31);
-    return Walker_x24init_0(path_15, ray_34, false, vec3<f32>(0.0f), direction_31, origin_14, in_air_0(), u32(0), false, false, ray_34, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true, false);
+    return Walker_x24init_0(path_15, ray_34, false, vec3<f32>(0.0f), direction_31, origin_14, in_air_0(), u32(0), false, false, ray_34, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true, false, false);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -8697,29 +8787,29 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_69 : Item_0) -> bool
 {
-    var _S586 : bool;
+    var _S587 : bool;
     if(Item_is_cell_0(this_69))
     {
-        _S586 = true;
+        _S587 = true;
     }
     else
     {
         if((this_69.kind_2) == u32(1))
         {
-            _S586 = has_0(u32(1));
+            _S587 = has_0(u32(1));
         }
         else
         {
-            _S586 = false;
+            _S587 = false;
         }
     }
-    return _S586;
+    return _S587;
 }
 
 fn at_camera_0( ray_35 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S587 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S587, _S587, _S587, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false);
+    var _S588 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S588, _S588, _S588, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false);
 }
 
 fn Item_start_0( this_70 : Item_0) -> Walker_0
@@ -8728,10 +8818,10 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_70, &(rank_8));
-        var _S588 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
-        return _S588;
+        var _S589 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
+        return _S589;
     }
-    var _S589 : CameraFrame_0 = FrameParams_camera_0();
+    var _S590 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_70.kind_2) == u32(3))
     {
@@ -8739,7 +8829,7 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S589;
+        camera_1 = _S590;
     }
     return at_camera_0(camera_ray_1(this_70.at_13, camera_1, this_70.sampler_2), this_70.sampler_2, Item_asks_cache_0(this_70));
 }
@@ -8759,19 +8849,19 @@ fn words_in_0( slot_6 : u32) -> vec3<u32>
     return vec3<u32>(scratch_row_0(u32(8), slot_6).y, scratch_row_0(u32(9), slot_6));
 }
 
-fn hit_of_0( ray_36 : LocalRay_0,  voxel_26 : vec3<i32>,  instance_17 : u32) -> Hit_0
+fn hit_of_0( ray_36 : LocalRay_0,  voxel_26 : vec3<i32>,  instance_18 : u32) -> Hit_0
 {
-    return hit_at_0(crossing_among_0(LocalRay_mirrored_origin_0(ray_36), abs(ray_36.direction_1), select(voxel_26, ~voxel_26, (ray_36.direction_1) < vec3<f32>(0.0f)), false), ray_36.t_min_1, abs(ray_36.inverse_0), voxel_26, instance_17, LocalRay_octant_0(ray_36));
+    return hit_at_0(crossing_among_0(LocalRay_mirrored_origin_0(ray_36), abs(ray_36.direction_1), select(voxel_26, ~voxel_26, (ray_36.direction_1) < vec3<f32>(0.0f)), false), ray_36.t_min_1, abs(ray_36.inverse_0), voxel_26, instance_18, LocalRay_octant_0(ray_36));
 }
 
 fn hit_in_slot_0( slot_7 : u32,  ray_37 : Ray_0) -> Hit_0
 {
-    var instance_18 : u32 = end_word_0(slot_7);
-    if(instance_18 == u32(4294967295))
+    var instance_19 : u32 = end_word_0(slot_7);
+    if(instance_19 == u32(4294967295))
     {
         return miss_0();
     }
-    return hit_of_0(local_ray_0(ray_37, Instances_operatorx5Bx5D_get_0(instance_18).grid_from_world_0), vec3<i32>(words_in_0(slot_7)), instance_18);
+    return hit_of_0(local_ray_0(ray_37, Instances_operatorx5Bx5D_get_0(instance_19).grid_from_world_0), vec3<i32>(words_in_0(slot_7)), instance_19);
 }
 
 struct Slot_0
@@ -8783,48 +8873,26 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S590 : Slot_0;
-    _S590.item_2 = item_3;
-    _S590.own_3 = own_4;
-    _S590.lent_0 = lent_1;
-    return _S590;
+    var _S591 : Slot_0;
+    _S591.item_2 = item_3;
+    _S591.own_3 = own_4;
+    _S591.lent_0 = lent_1;
+    return _S591;
 }
 
 fn lets_light_pass_0( material_18 : PackedMaterial_0) -> bool
 {
-    var _S591 : bool;
+    var _S592 : bool;
     if((material_18.transmission_0) > 0.0f)
     {
         if((material_18.ior_0) == 1.0f)
         {
-            _S591 = true;
+            _S592 = true;
         }
         else
         {
-            _S591 = (params_0.clear_shadows_0) != u32(0);
+            _S592 = (params_0.clear_shadows_0) != u32(0);
         }
-    }
-    else
-    {
-        _S591 = false;
-    }
-    return _S591;
-}
-
-fn is_matte_0( material_19 : PackedMaterial_0) -> bool
-{
-    var _S592 : bool;
-    if((material_19.transmission_0) <= 0.0f)
-    {
-        _S592 = (material_19.metallic_0) <= 0.0f;
-    }
-    else
-    {
-        _S592 = false;
-    }
-    if(_S592)
-    {
-        _S592 = (material_19.specular_0) <= 0.0f;
     }
     else
     {
@@ -8833,31 +8901,53 @@ fn is_matte_0( material_19 : PackedMaterial_0) -> bool
     return _S592;
 }
 
-fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
+fn is_matte_0( material_19 : PackedMaterial_0) -> bool
 {
     var _S593 : bool;
-    if(!has_0(u32(1024)))
+    if((material_19.transmission_0) <= 0.0f)
     {
-        _S593 = true;
+        _S593 = (material_19.metallic_0) <= 0.0f;
     }
     else
     {
-        _S593 = Hit_is_miss_0(hit_23);
+        _S593 = false;
     }
     if(_S593)
+    {
+        _S593 = (material_19.specular_0) <= 0.0f;
+    }
+    else
+    {
+        _S593 = false;
+    }
+    return _S593;
+}
+
+fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
+{
+    var _S594 : bool;
+    if(!has_0(u32(1024)))
+    {
+        _S594 = true;
+    }
+    else
+    {
+        _S594 = Hit_is_miss_0(hit_23);
+    }
+    if(_S594)
     {
         return false;
     }
     var material_20 : PackedMaterial_0 = material_of_0(hit_23);
     if(is_shadow_ray_2)
     {
-        _S593 = lets_light_pass_0(material_20);
+        _S594 = lets_light_pass_0(material_20);
     }
     else
     {
-        _S593 = !is_matte_0(material_20);
+        _S594 = !is_matte_0(material_20);
     }
-    return _S593;
+    return _S594;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8869,52 +8959,52 @@ fn set_left_0( slot_8 : u32)
 fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S594 : bool;
+    var _S595 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S594 = true;
+        _S595 = true;
     }
     else
     {
-        _S594 = Inside_is_in_0(path_16.inside_0);
+        _S595 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S594)
+    if(_S595)
     {
         return false;
     }
     var material_21 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_21.metallic_0) > 0.0f)
     {
-        _S594 = true;
+        _S595 = true;
     }
     else
     {
-        _S594 = (material_21.transmission_0) > 0.0f;
+        _S595 = (material_21.transmission_0) > 0.0f;
     }
-    if(_S594)
+    if(_S595)
     {
         return false;
     }
     var code_6 : u32;
     var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
-    var _S595 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
+    var _S596 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
     var is_from_first_2 : bool = (path_16.bounce_0) < u32(2);
     if(life_4 == u32(0))
     {
-        _S594 = true;
+        _S595 = true;
     }
     else
     {
         if(is_from_first_2)
         {
-            _S594 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S595;
+            _S595 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S596;
         }
         else
         {
-            _S594 = false;
+            _S595 = false;
         }
     }
-    if(_S594)
+    if(_S595)
     {
         return false;
     }
@@ -8929,23 +9019,23 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_13 : vec3<f32>) -> u32
 {
-    var _S596 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
-    return (((((u32(_S596.x) & (u32(1023)))) | (((((u32(_S596.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S596.z) & (u32(1023)))) << (u32(20))))));
+    var _S597 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
+    return (((((u32(_S597.x) & (u32(1023)))) | (((((u32(_S597.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S597.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S597 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S598 : u32;
+    var _S598 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S599 : u32;
     if(sample_24.is_shown_0)
     {
-        _S598 = u32(1073741824);
+        _S599 = u32(1073741824);
     }
     else
     {
-        _S598 = u32(0);
+        _S599 = u32(0);
     }
-    var normal_14 : u32 = (_S597 | (_S598));
+    var normal_14 : u32 = (_S598 | (_S599));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -8956,48 +9046,48 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
     return;
 }
 
-fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_19 : u32,  face_13 : u32)
+fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_20 : u32,  face_13 : u32)
 {
-    var word_10 : u32 = (((((instance_19 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S599 : u32;
+    var word_10 : u32 = (((((instance_20 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
+    var _S600 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S599 = (bitcast<u32>((at_19.ray_7.t_max_0)));
+        _S600 = (bitcast<u32>((at_19.ray_7.t_max_0)));
     }
     else
     {
-        _S599 = u32(0);
+        _S600 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_71.own_3, vec2<u32>(_S599, word_10));
+    set_scratch_row_0(u32(4), this_71.own_3, vec2<u32>(_S600, word_10));
     set_scratch_row_0(u32(7), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
     set_scratch_row_0(u32(8), this_71.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
     set_scratch_row_0(u32(9), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
     return;
 }
 
-fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_20 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
+fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_21 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S600 : Sample_0 = sample_25;
-    _S600.light_1 = vec3<f32>(0.0f);
-    _S600.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_72.own_3, _S600);
+    var _S601 : Sample_0 = sample_25;
+    _S601.light_1 = vec3<f32>(0.0f);
+    _S601.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_72.own_3, _S601);
     scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_3][i32(1)] = (bitcast<u32>((t_18)));
-    Slot_keep_0(this_72, at_20, instance_20, face_14);
+    Slot_keep_0(this_72, at_20, instance_21, face_14);
     return;
 }
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S601 : f32;
+    var _S602 : f32;
     if(sample_26.is_shown_0)
     {
-        _S601 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S602 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S601 = 0.0f;
+        _S602 = 0.0f;
     }
-    return _S601;
+    return _S602;
 }
 
 fn Item_end_0( this_73 : Item_0,  sample_27 : Sample_0)
@@ -9046,40 +9136,40 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S602 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S602;
-        var _S603 : Hit_0 = miss_0();
+        var _S603 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S603;
+        var _S604 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
-        var instance_21 : u32;
+        var instance_22 : u32;
         var face_15 : u32;
         if(Item_is_cell_0(item_4))
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S604 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S603;
-            instance_21 = key_8.instance_9;
-            face_15 = _S604;
+            var _S605 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S604;
+            instance_22 = key_8.instance_9;
+            face_15 = _S605;
         }
         else
         {
             var hit_26 : Hit_0 = hit_in_slot_0(item_4.slot_0, at_21.ray_7);
             hit_25 = hit_26;
-            instance_21 = hit_26.instance_0;
+            instance_22 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S605 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S605, _S605);
+        var _S606 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S606, _S606);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S606 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S606)
+            var _S607 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S607)
             {
-                Slot_keep_first_0(slot_10, at_21, instance_21, face_15, hit_25.t_0, sample_29);
+                Slot_keep_first_0(slot_10, at_21, instance_22, face_15, hit_25.t_0, sample_29);
             }
             else
             {
@@ -9097,31 +9187,31 @@ fn is_over_0( slot_11 : u32) -> bool
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_3 : u32,  counts_2 : bool)
 {
-    var _S607 : bool;
+    var _S608 : bool;
     if(is_of_pixel_0)
     {
-        _S607 = has_0(u32(4096));
+        _S608 = has_0(u32(4096));
     }
     else
     {
-        _S607 = false;
+        _S608 = false;
     }
-    weighs_candidates_0 = _S607;
+    weighs_candidates_0 = _S608;
     counts_arrivals_0 = false;
-    if(_S607)
+    if(_S608)
     {
-        _S607 = counts_2;
+        _S608 = counts_2;
     }
     else
     {
-        _S607 = false;
+        _S608 = false;
     }
-    if(_S607)
+    if(_S608)
     {
         var stride_2 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S608 : u32 = pixel_3 / stride_2;
-        var _S609 : u32 = (pixel_3 + u32(7) * _S608 + real_time_0.number_0) % stride_2;
-        counts_arrivals_0 = _S609 == u32(0);
+        var _S609 : u32 = pixel_3 / stride_2;
+        var _S610 : u32 = (pixel_3 + u32(7) * _S609 + real_time_0.number_0) % stride_2;
+        counts_arrivals_0 = _S610 == u32(0);
     }
     return;
 }
@@ -9149,15 +9239,15 @@ fn Slot_instance_0( this_77 : Slot_0) -> u32
 fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S610 : vec3<f32> = origin_in_0(this_78.own_3);
-    surface_7.origin_11 = _S610;
-    var _S611 : u32 = Slot_face_0(this_78);
-    surface_7.face_2 = _S611;
-    var _S612 : u32 = Slot_instance_0(this_78);
-    surface_7.instance_11 = _S612;
-    var _S613 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S612), _S611);
-    surface_7.normal_3 = _S613;
-    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S610, _S613);
+    var _S611 : vec3<f32> = origin_in_0(this_78.own_3);
+    surface_7.origin_11 = _S611;
+    var _S612 : u32 = Slot_face_0(this_78);
+    surface_7.face_2 = _S612;
+    var _S613 : u32 = Slot_instance_0(this_78);
+    surface_7.instance_11 = _S613;
+    var _S614 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S613), _S612);
+    surface_7.normal_3 = _S614;
+    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S611, _S614);
     var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_31);
     var bsdf_2 : MaterialBsdf_0;
@@ -9190,18 +9280,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S614 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S614, _S614);
-    var _S615 : bool;
+    var _S615 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S615, _S615);
+    var _S616 : bool;
     if(item_5.traces_0)
     {
-        _S615 = !is_over_0(item_5.slot_0);
+        _S616 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S615 = false;
+        _S616 = false;
     }
-    if(_S615)
+    if(_S616)
     {
         first_candidates_0 = real_time_0.candidates_0;
         weigh_candidates_0((item_5.kind_2) == u32(1), item_5.place_7, false);
@@ -9219,20 +9309,20 @@ fn Slot_bounce_0( this_80 : Slot_0) -> u32
 
 fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S616 : bool;
+    var _S617 : bool;
     if(Item_is_cell_0(this_81.item_2))
     {
-        _S616 = (Slot_bounce_0(this_81)) == u32(1);
+        _S617 = (Slot_bounce_0(this_81)) == u32(1);
     }
     else
     {
-        _S616 = false;
+        _S617 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S616)
+    if(_S617)
     {
-        var _S617 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
-        direction_32 = _S617;
+        var _S618 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
+        direction_32 = _S618;
     }
     else
     {
@@ -9249,20 +9339,20 @@ fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S618 : bool;
+    var _S619 : bool;
     if(Item_is_cell_0(this_82.item_2))
     {
-        _S618 = (Slot_bounce_0(this_82)) == u32(1);
+        _S619 = (Slot_bounce_0(this_82)) == u32(1);
     }
     else
     {
-        _S618 = false;
+        _S619 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S618)
+    if(_S619)
     {
-        var _S619 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
-        direction_33 = _S619;
+        var _S620 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
+        direction_33 = _S620;
     }
     else
     {
@@ -9284,16 +9374,16 @@ fn place_of_found_0( place_12 : u32) -> u32
 
 fn count_arrival_0( ray_39 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S620 : i32;
+    var _S621 : i32;
     if(has_arrived_0)
     {
-        _S620 = i32(65537);
+        _S621 = i32(65537);
     }
     else
     {
-        _S620 = i32(1);
+        _S621 = i32(1);
     }
-    var _S621 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S620));
+    var _S622 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S621));
     return;
 }
 
@@ -9317,16 +9407,16 @@ fn Slot_walk_0( this_84 : Slot_0)
     var end_5 : u32 = end_word_0(this_84.own_3);
     var pdf_19 : f32;
     var ray_40 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_3)))), (bitcast<f32>((end_5))));
-    var _S622 : i32;
+    var _S623 : i32;
     if(end_5 == u32(0))
     {
-        _S622 = i32(1);
+        _S623 = i32(1);
     }
     else
     {
-        _S622 = i32(0);
+        _S623 = i32(0);
     }
-    var turn_0 : u32 = u32(_S622);
+    var turn_0 : u32 = u32(_S623);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9336,14 +9426,14 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             break;
         }
-        var _S623 : bool = turn_0 == u32(1);
-        if(_S623)
+        var _S624 : bool = turn_0 == u32(1);
+        if(_S624)
         {
             ray_40 = Slot_ray_0(this_84, &(pdf_19));
         }
-        var _S624 : bool = turn_0 == u32(0);
+        var _S625 : bool = turn_0 == u32(0);
         var ends_anywhere_0 : bool;
-        if(_S624)
+        if(_S625)
         {
             if(counts_arrivals_0)
             {
@@ -9359,50 +9449,50 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             ends_anywhere_0 = false;
         }
-        var _S625 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
-        var _S626 : bool;
-        if(_S624)
-        {
-            _S626 = leaves_0(_S625, true);
-        }
-        else
-        {
-            _S626 = false;
-        }
-        if(_S626)
-        {
-            set_left_0(this_84.own_3);
-            return;
-        }
+        var _S626 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
         var _S627 : bool;
-        if(_S624)
+        if(_S625)
         {
-            _S627 = counts_arrivals_0;
+            _S627 = leaves_0(_S626, true);
         }
         else
         {
             _S627 = false;
         }
-        var _S628 : bool;
         if(_S627)
         {
-            _S628 = (Slot_bounce_0(this_84)) == u32(1);
+            set_left_0(this_84.own_3);
+            return;
+        }
+        var _S628 : bool;
+        if(_S625)
+        {
+            _S628 = counts_arrivals_0;
         }
         else
         {
             _S628 = false;
         }
+        var _S629 : bool;
         if(_S628)
         {
-            count_arrival_0(ray_40, Hit_is_miss_0(_S625));
-        }
-        if(_S623)
-        {
-            keep_hit_0(this_84.own_3, _S625);
+            _S629 = (Slot_bounce_0(this_84)) == u32(1);
         }
         else
         {
-            if(!Hit_is_miss_0(_S625))
+            _S629 = false;
+        }
+        if(_S629)
+        {
+            count_arrival_0(ray_40, Hit_is_miss_0(_S626));
+        }
+        if(_S624)
+        {
+            keep_hit_0(this_84.own_3, _S626);
+        }
+        else
+        {
+            if(!Hit_is_miss_0(_S626))
             {
                 Slot_darken_0(this_84);
             }
@@ -9421,20 +9511,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var slot_14 : Slot_0;
-    var _S629 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S629;
+    var _S630 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S630;
     slot_14.own_3 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S630 : bool;
+    var _S631 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S630 = !is_over_0(slot_14.own_3);
+        _S631 = !is_over_0(slot_14.own_3);
     }
     else
     {
-        _S630 = false;
+        _S631 = false;
     }
-    if(_S630)
+    if(_S631)
     {
         weigh_candidates_0((slot_14.item_2.kind_2) == u32(1), slot_14.item_2.place_7, true);
         Slot_walk_0(slot_14);
@@ -9458,9 +9548,9 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S631 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S631);
-    sample_30.is_shown_0 = ((_S631 & (u32(1073741824)))) != u32(0);
+    var _S632 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S632);
+    sample_30.is_shown_0 = ((_S632 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9479,10 +9569,10 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_85.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_85.lent_0)))));
     }
-    var _S632 : f32 = at_22.path_0.pdf_1;
-    var _S633 : Ray_0 = Slot_ray_1(this_85, &(_S632));
-    at_22.path_0.pdf_1 = _S632;
-    at_22.ray_7 = _S633;
+    var _S633 : f32 = at_22.path_0.pdf_1;
+    var _S634 : Ray_0 = Slot_ray_1(this_85, &(_S633));
+    at_22.path_0.pdf_1 = _S633;
+    at_22.ray_7 = _S634;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_85)), Slot_face_0(this_85));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9492,16 +9582,18 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S633;
+    at_22.camera_ray_0 = _S634;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_85.item_2);
     at_22.life_0 = u32(10);
     at_22.is_at_cell_0 = false;
+    at_22.counts_0 = false;
+    at_22.sees_mover_0 = false;
     if(Item_is_cell_0(this_85.item_2))
     {
         var rank_10 : u32;
-        var _S634 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
+        var _S635 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9527,10 +9619,10 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_86.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_86.lent_0)))));
     }
-    var _S635 : f32 = at_23.path_0.pdf_1;
-    var _S636 : Ray_0 = Slot_ray_1(this_86, &(_S635));
-    at_23.path_0.pdf_1 = _S635;
-    at_23.ray_7 = _S636;
+    var _S636 : f32 = at_23.path_0.pdf_1;
+    var _S637 : Ray_0 = Slot_ray_1(this_86, &(_S636));
+    at_23.path_0.pdf_1 = _S636;
+    at_23.ray_7 = _S637;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_86)), Slot_face_0(this_86));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9540,16 +9632,18 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S636;
+    at_23.camera_ray_0 = _S637;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_86.item_2);
     at_23.life_0 = u32(10);
     at_23.is_at_cell_0 = false;
+    at_23.counts_0 = false;
+    at_23.sees_mover_0 = false;
     if(Item_is_cell_0(this_86.item_2))
     {
         var rank_11 : u32;
-        var _S637 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
+        var _S638 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9563,21 +9657,21 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S638 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S638;
+    var _S639 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S639;
     var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_7);
     if(leaves_0(hit_27, false))
     {
         set_left_0(slot_15.own_3);
         return false;
     }
-    var _S639 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S639;
+    var _S640 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S640;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S640 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S640;
+        var _S641 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S641;
     }
     else
     {
@@ -9604,10 +9698,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S639;
-    var _S641 : Path_0 = at_24.path_0;
-    var _S642 : NextRays_0 = PathTracingOf_advance_2(&(_S641), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S641;
+    var emitted_6 : vec3<f32> = _S640;
+    var _S642 : Path_0 = at_24.path_0;
+    var _S643 : NextRays_0 = PathTracingOf_advance_2(&(_S642), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S642;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9624,34 +9718,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S643 : bool = thread_2 < u32(2);
-    if(_S643)
+    var _S644 : bool = thread_2 < u32(2);
+    if(_S644)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S644 : i32;
+    var _S645 : i32;
     if(goes_on_8)
     {
-        _S644 = i32(0);
+        _S645 = i32(0);
     }
     else
     {
-        _S644 = i32(1);
+        _S645 = i32(1);
     }
-    var list_1 : u32 = u32(_S644);
+    var list_1 : u32 = u32(_S645);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S645 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S645;
+        var _S646 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S646;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S643)
+    if(_S644)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9665,26 +9759,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S646 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S646;
+            var _S647 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S647;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S647 : bool;
+        var _S648 : bool;
         if(thread_2 == u32(0))
         {
-            _S647 = more_0 > u32(0);
+            _S648 = more_0 > u32(0);
         }
         else
         {
-            _S647 = false;
+            _S648 = false;
         }
-        if(_S647)
+        if(_S648)
         {
-            var _S648 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S649 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9721,10 +9815,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S649 : u32 = id_4.x;
-    var _S650 : Item_0 = item_of_0(_S649);
-    var item_7 : Item_0 = _S650;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S650, item_7.slot_0, item_7.slot_0);
+    var _S650 : u32 = id_4.x;
+    var _S651 : Item_0 = item_of_0(_S650);
+    var item_7 : Item_0 = _S651;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S651, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9736,38 +9830,38 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S651 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S651;
+        var _S652 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S652;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S652 : bool;
+    var _S653 : bool;
     if(item_7.traces_0)
     {
-        _S652 = !is_left_9(item_7.slot_0);
+        _S653 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S652 = false;
+        _S653 = false;
     }
-    item_7.traces_0 = _S652;
-    append_0(thread_3, _S649, item_7, goes_on_9);
+    item_7.traces_0 = _S653;
+    append_0(thread_3, _S650, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S653 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S653;
-    var _S654 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S654;
+    var _S654 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S654;
+    var _S655 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S655;
     if(slot_18.item_2.traces_0)
     {
-        var _S655 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S655;
+        var _S656 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S656;
         slot_18.own_3 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
@@ -9809,22 +9903,22 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S656 : bool;
+    var _S657 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S656 = is_lent_1;
+        _S657 = is_lent_1;
     }
     else
     {
-        _S656 = false;
+        _S657 = false;
     }
-    if(_S656)
+    if(_S657)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S657 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S657;
+        var _S658 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S658;
         var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_7);
         if(leaves_0(hit_29, false))
         {
@@ -9832,8 +9926,8 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
         }
         else
         {
-            var _S658 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S658)
+            var _S659 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S659)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9856,16 +9950,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S659 : bool;
+    var _S660 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S659 = is_lent_2;
+        _S660 = is_lent_2;
     }
     else
     {
-        _S659 = false;
+        _S660 = false;
     }
-    if(_S659)
+    if(_S660)
     {
         Slot_walk_0(slot_20);
     }
@@ -9876,9 +9970,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_5;
-    var _S660 : bool = !walks_0;
+    var _S661 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S660;
+    var is_met_4 : bool = _S661;
     var hit_30 : Hit_0 = first_0;
     for(;;)
     {
@@ -9891,10 +9985,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S661 : Ray_0 = at_28.ray_7;
-            var _S662 : Hit_0 = WalkTracer_trace_0(&(_S661), at_28.is_shadow_ray_0);
-            at_28.ray_7 = _S661;
-            hit_30 = _S662;
+            var _S662 : Ray_0 = at_28.ray_7;
+            var _S663 : Hit_0 = WalkTracer_trace_0(&(_S662), at_28.is_shadow_ray_0);
+            at_28.ray_7 = _S662;
+            hit_30 = _S663;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -9913,8 +10007,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S663 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S663;
+            var _S664 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S664;
         }
         is_met_4 = false;
     }
@@ -9956,8 +10050,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S664 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S664, miss_0(), true, no_sample_0());
+        var _S665 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S665, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -9970,14 +10064,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S665 : bool = thread_4 == u32(0);
-    if(_S665)
+    var _S666 : bool = thread_4 == u32(0);
+    if(_S666)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S666 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S666);
+    var _S667 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S667);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -9990,22 +10084,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S667 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S667;
+        var _S668 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S668;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S665)
+    if(_S666)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S668 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S668;
+            var _S669 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S669;
         }
         else
         {
@@ -10014,14 +10108,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S669 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S670 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S666;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S667;
     }
     return;
 }

@@ -1,8 +1,6 @@
 //! Which instances have moved since the camera stands. Pixels that show none of them keep what they know while these move on, as in pictures in which nothing moves.
 
-use crate::path::Sample;
 use voxtrace_core::packed::PackedInstance;
-use voxtrace_scene::ray::Hit;
 use voxtrace_scene::transform::Transform;
 
 /// Where an instance stood, and which grid it showed.
@@ -63,21 +61,15 @@ impl Movers {
         &self.moved
     }
 
-    /// Whether one of them is in what a ray of the camera saw, or may be: behind mirrors and glass, and in mist, it is not known what is seen.
-    pub fn are_in(&self, sample: &Sample) -> bool {
-        let has_moved = |instance: u32| self.moved.get(instance as usize).copied().unwrap_or(false);
-        let may_be = match &sample.shown {
-            Some(shown) => shown.instance == Hit::NONE || has_moved(shown.instance),
-            None => sample.albedo.max_element() > 0.0,
-        };
-        may_be && !self.moved.is_empty()
+    /// Whether an instance is one of them.
+    pub fn have(&self, instance: u32) -> bool {
+        self.moved.get(instance as usize).copied().unwrap_or(false)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::path::Shown;
     use glam::Vec3;
 
     /// Those after each of some frames: what moved, and whether the camera stands.
@@ -109,21 +101,5 @@ mod tests {
         let found = |now: &[PackedInstance]| moved(&stood, now).collect::<Vec<_>>();
         assert_eq!(found(&[at(0, 0.0), at(1, 1.0), at(1, 3.0)]), [false, true, true]);
         assert_eq!(found(&[at(0, 0.0), at(0, 1.0), at(1, 2.0)]), [false; 3]);
-    }
-
-    #[test]
-    fn what_is_seen_by_mirrors_and_in_mist_may_be_what_moved() {
-        let of = |instance: u32| {
-            let shown = Some(Shown { normal: Vec3::Z, place: Vec3::ZERO, instance });
-            Sample { shown, albedo: Vec3::ONE, ..Sample::default() }
-        };
-        let movers = after(&[([false, true, false], true)]);
-        assert_eq!(
-            [0, 1, 2, 3, Hit::NONE].map(|instance| movers.are_in(&of(instance))),
-            [false, true, false, false, true]
-        );
-        assert!(movers.are_in(&Sample { albedo: Vec3::ONE, ..Sample::default() }), "mist");
-        assert!(!movers.are_in(&Sample::default()), "the sky");
-        assert!(![1, Hit::NONE].iter().any(|instance| Movers::default().are_in(&of(*instance))), "nothing moved");
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::light_cache::{LightCache, Request};
 use crate::memory::in_ten_bits;
+use crate::movers::Movers;
 use crate::visibility::Visibility;
 use glam::Vec3;
 use voxtrace_core::cuts;
@@ -46,6 +47,8 @@ pub struct View<'a> {
     pub candidates: u32,
     /// Light on faces, where it is used.
     pub cache: Option<&'a LightCache>,
+    /// Which instances have moved since the camera stands.
+    pub(crate) movers: &'a Movers,
     /// How often rays to lights arrive, where that weighs candidates.
     pub visibility: Option<&'a Visibility>,
     /// [`Request::scramble_of`] of the frame.
@@ -74,6 +77,8 @@ pub struct Sample {
     pub albedo: Vec3,
     /// The shown surface.
     pub shown: Option<Shown>,
+    /// Whether something that has moved since the camera stands is in what the ray saw on its way there, or, in mist, may be.
+    pub sees_mover: bool,
 }
 
 impl Sample {
@@ -146,6 +151,7 @@ impl View<'_> {
         let (mut ray, mut way) = (camera_ray, 0.0);
         loop {
             let hit = self.cast(&path, &ray);
+            sample.sees_mover |= !hit.is_miss() && self.movers.have(hit.instance);
             let (mut arrived, mut light) = (path, Vec3::ZERO);
             let mut direct = Vec3::ZERO;
             let next = self.advance_apart(&mut path, (&ray, &hit), choosing, &mut direct, &mut light);
@@ -172,6 +178,7 @@ impl View<'_> {
             } else if arrived.inside.is_some() {
                 // A path that meets nothing in a medium is scattered there.
                 sample.albedo = Vec3::ONE;
+                sample.sees_mover |= !self.movers.moved().is_empty();
             }
             return next.map(|next| (path, next));
         }

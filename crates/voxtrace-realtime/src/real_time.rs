@@ -209,14 +209,15 @@ impl RealTime {
     /// Follows the paths of a frame.
     fn follow(&mut self, scene: &PackedScene, frame: &Frame) {
         let (width, height) = (frame.width, frame.height);
-        let view = self.view(scene, frame);
+        let movers = self.movers_of(scene, frame);
+        let view = self.view(scene, frame, &movers);
         let (light, mut requests) = match self.parts.cache {
             true => self.cache.trace(&view, self.number, frame.seed ^ CACHE_SEED),
             false => Default::default(),
         };
         let (samples, asked) = self.trace(&view, frame);
         requests.extend(asked);
-        let (memory, rest, movers) = self.remember(&view, frame, &samples);
+        let (memory, rest) = self.remember(&view, frame, &samples);
         let found = Found::of(&View { cache: None, visibility: None, ..view }, frame, self.number);
         let scramble = view.scramble;
         if self.parts.weigh() {
@@ -231,7 +232,7 @@ impl RealTime {
         self.number += 1;
     }
 
-    fn view<'a>(&'a self, scene: &'a PackedScene, frame: &Frame) -> View<'a> {
+    fn view<'a>(&'a self, scene: &'a PackedScene, frame: &Frame, movers: &'a Movers) -> View<'a> {
         View {
             scene,
             lights: Lights::new(scene),
@@ -242,6 +243,7 @@ impl RealTime {
             has_media: scene.has_media(),
             candidates: self.parts.candidates(),
             cache: self.parts.cache.then_some(&self.cache),
+            movers,
             visibility: self.parts.weigh().then_some(&self.visibility),
             scramble: Request::scramble_of(self.number),
         }
@@ -266,13 +268,26 @@ impl RealTime {
         (samples.into_iter().flatten().collect(), requests.into_iter().flatten().collect())
     }
 
-    /// What is known of each pixel now, since when nothing moves, and what does.
-    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> (Vec<Memory>, Rest, Movers) {
+    /// The frame before one of which something is known, and whether it saw the same.
+    fn before_of(&self, frame: &Frame) -> (Option<&FrameBefore>, bool) {
         let before = self.before.as_ref().filter(|before| self.parts.memory && before.frame.seed == frame.seed);
         let is_same_view = before.is_some_and(|before| {
             before.frame.camera == frame.camera
                 && (before.frame.width, before.frame.height) == (frame.width, frame.height)
         });
+        (before, is_same_view)
+    }
+
+    /// Those that have moved by this frame since the camera stands.
+    fn movers_of(&self, scene: &PackedScene, frame: &Frame) -> Movers {
+        let stood = self.stood.as_deref().unwrap_or_default();
+        self.movers.after(moved(stood, scene.instances()), self.before_of(frame).1 && !self.is_edited)
+    }
+
+    /// What is known of each pixel now, and since when nothing moves.
+    fn remember(&self, view: &View, frame: &Frame, samples: &[Sample]) -> (Vec<Memory>, Rest) {
+        let (before, is_same_view) = self.before_of(frame);
+        let movers = view.movers;
         let is_still = is_same_view && !self.has_changed;
         let most = MOST_PATHS[usize::from(is_still)];
         let memory = match before {
@@ -280,8 +295,6 @@ impl RealTime {
             _ => self.memory.clone(),
         };
         let motions = self.motions(view.scene);
-        let stood = self.stood.as_deref().unwrap_or_default();
-        let movers = self.movers.after(moved(stood, view.scene.instances()), is_same_view && !self.is_edited);
         // In motion each frame would look anew, at everything.
         let is_in_motion = before.is_some() && !(is_same_view && motions.is_empty());
         let most_looks = if is_in_motion { LEAST_LOOKS } else { MOST_LOOKS };
@@ -295,7 +308,7 @@ impl RealTime {
                 None => Memory::default(),
                 Some(_) if is_still => memory[index],
                 Some(_) if is_same_view && motions.is_empty() => memory[index].look_anew(),
-                Some(_) if movers.keep() && memory[index].is_at_rest && !movers.are_in(&sample) => memory[index],
+                Some(_) if movers.keep() && memory[index].is_at_rest && !sample.sees_mover => memory[index],
                 Some(before) => {
                     let ray = frame_ray(view, x, y);
                     let size = [before.frame.width, before.frame.height];
@@ -317,7 +330,7 @@ impl RealTime {
             let is_at_rest = known.is_at_rest || known.looks == 0.0;
             // Where something moves those alone are at rest here that keep what they know.
             known.add(&sample, if known.is_at_rest { most.max(MOST_PATHS_AT_REST) } else { most });
-            known.is_at_rest = is_at_rest && !movers.are_in(&sample);
+            known.is_at_rest = is_at_rest && !sample.sees_mover;
             // Rays that only look go between the path's and each other.
             let jitter = sampler(frame, self.number, index as u32).stratified(DIMENSION_CAMERA);
             let (mut looks, mut differs) = (0, false);
@@ -327,13 +340,13 @@ impl RealTime {
                 let sampler = Sampler { seed: frame.seed ^ LOOK_SEED, pixel: index as u32, sample: sample_number };
                 let seen = view.look(x, y, sampler, shifted(jitter, looks));
                 differs |= seen.differs(&sample);
-                known.is_at_rest &= !movers.are_in(&seen);
+                known.is_at_rest &= !seen.sees_mover;
                 known.look(&seen);
             }
             known
         };
         let memory = (0..samples.samples.len()).into_par_iter().map(pixel).collect();
-        (memory, self.rest.after(is_in_motion, is_still), movers)
+        (memory, self.rest.after(is_in_motion, is_still))
     }
 
     /// What was known of each pixel of the frame before, less where light changed.

@@ -237,6 +237,43 @@ fn pixels_in_which_nothing_moves_keep_what_they_know_and_those_that_a_thing_left
     assert!(next(&mut real_time, 17.0, &|index| index == 2) > 0.7, "both are known to move");
 }
 
+/// A mirror that leans, before the sky, and a block at its side.
+fn mirror_before_the_sky() -> PackedScene {
+    let mut scene = Scene::new("a mirror before the sky");
+    let cube = |edge: i32, material: u16| {
+        let mut grid = VoxelGrid::default();
+        (0..edge * edge * edge).for_each(|at| _ = grid.set(IVec3::new(at % edge, at / edge % edge, at / edge / edge), material));
+        grid
+    };
+    scene.materials = vec![Material { base_color: Vec3::splat(0.5), ..Material::default() }];
+    scene.materials.push(Material { metallic: 1.0, roughness: 0.0, base_color: Vec3::ONE, ..Material::default() });
+    scene.grids = vec![cube(8, 0).into(), cube(8, 1).into()];
+    scene.instances.push(Instance::new(0, Transform::from_translation(Vec3::new(-30.0, 0.0, -10.0))));
+    let leaning = Transform::from_rotation(glam::Quat::from_rotation_x(-0.6)).translated(Vec3::new(-16.0, 0.0, 0.0));
+    scene.instances.push(Instance::new(1, leaning));
+    PackedScene::pack(&scene).unwrap()
+}
+
+#[test]
+fn a_mirror_that_moves_before_the_sky_leaves_no_trail() {
+    let mut scene = mirror_before_the_sky();
+    let frame = Frame::new(Camera::look_at(Vec3::new(0.0, -60.0, 4.0), Vec3::new(0.0, 0.0, 4.0)), 96, 54);
+    let mut real_time = RealTime::new(Parts::ALL);
+    let mut picture = real_time.frame(&scene, &frame);
+    for _ in 0..24 {
+        let before = scene.instances().to_vec();
+        scene = step(&scene, |index| index == 1);
+        real_time.move_instances(&before);
+        picture = real_time.frame(&scene, &frame);
+    }
+    let truth = film(&scene, &frame, 256);
+    let worst = truth.iter().zip(&picture).map(|(truth, picture)| (*truth - *picture).abs().max_element());
+    // What the mirror left, to its left.
+    let of_trail = worst.enumerate().filter(|(index, _)| (20..52).contains(&(index % 96))).map(|(_, worst)| worst);
+    let trail = of_trail.fold(0.0, f32::max);
+    assert!(trail < 0.07, "{trail}");
+}
+
 #[test]
 fn pictures_do_not_depend_on_the_number_of_threads() {
     let (scene, frame) = (room(), frame());
