@@ -242,7 +242,8 @@ fn mirror_before_the_sky() -> PackedScene {
     let mut scene = Scene::new("a mirror before the sky");
     let cube = |edge: i32, material: u16| {
         let mut grid = VoxelGrid::default();
-        (0..edge * edge * edge).for_each(|at| _ = grid.set(IVec3::new(at % edge, at / edge % edge, at / edge / edge), material));
+        (0..edge * edge * edge)
+            .for_each(|at| _ = grid.set(IVec3::new(at % edge, at / edge % edge, at / edge / edge), material));
         grid
     };
     scene.materials = vec![Material { base_color: Vec3::splat(0.5), ..Material::default() }];
