@@ -13,7 +13,7 @@ use voxtrace_core::integrator::{DIMENSION_CAMERA, Path, ShadowRay, cast_in_mediu
 use voxtrace_core::light::{BELOW_ONE, Lights};
 use voxtrace_core::math::luminance;
 use voxtrace_core::medium::{MAX_BOUNDARIES, Transit};
-use voxtrace_core::packed::{PackedMaterial, PackedScene};
+use voxtrace_core::packed::PackedScene;
 use voxtrace_core::sampler::Sampler;
 use voxtrace_core::walk;
 use voxtrace_scene::camera::CameraFrame;
@@ -97,8 +97,6 @@ impl Sample {
 pub(crate) struct Choosing {
     /// Of so many candidates.
     pub candidates: u32,
-    /// Whether these are weighed by how often rays like theirs arrive.
-    pub weighs: bool,
     /// Whether it is counted if the chosen one arrives.
     pub learns: bool,
 }
@@ -107,7 +105,7 @@ impl Choosing {
     /// None.
     const NOTHING: Self = Self { candidates: 0, ..Self::ANY };
     /// The first that comes.
-    pub const ANY: Self = Self { candidates: 1, weighs: false, learns: false };
+    pub const ANY: Self = Self { candidates: 1, learns: false };
 }
 
 impl View<'_> {
@@ -115,7 +113,7 @@ impl View<'_> {
     pub fn sample(&self, x: u32, y: u32, sampler: Sampler, learns: bool, requests: &mut Vec<Request>) -> Sample {
         let mut sample = Sample::default();
         let numbers = (sampler, sampler.stratified(DIMENSION_CAMERA));
-        let choosing = Choosing { candidates: self.candidates, weighs: true, learns };
+        let choosing = Choosing { candidates: self.candidates, learns };
         let Some((mut path, mut ray)) = self.see((x, y), numbers, choosing, &mut sample) else { return sample };
         loop {
             let hit = self.cast(&path, &ray);
@@ -225,7 +223,7 @@ impl View<'_> {
             Arrival::Pass(next) => Some(next),
             Arrival::Scatter(scatter) => {
                 let candidates = if scatter.wants_light { choosing.candidates } else { 0 };
-                let visibility = self.visibility.filter(|_| choosing.weighs && candidates > 1);
+                let visibility = self.visibility.filter(|_| candidates > 1);
                 let mut choice = Choice::default();
                 for candidate in 0..candidates {
                     let (u, v) = self.candidate(path, candidate, candidates);
@@ -244,7 +242,7 @@ impl View<'_> {
                     if let Some(has_arrived) = has_arrived
                         && let Some(visibility) = visibility.filter(|_| choosing.learns && path.event == 0)
                         && !hit.is_miss()
-                        && is_matte(&scene.materials()[material as usize])
+                        && scene.materials()[material as usize].is_matte()
                     {
                         visibility.count(Visibility::place(&shadow_ray.ray, self.eye, self.view_angle), has_arrived);
                     }
@@ -345,11 +343,6 @@ impl View<'_> {
         }
         (Vec3::ZERO, has_arrived)
     }
-}
-
-/// Whether a material is matte alone.
-fn is_matte(material: &PackedMaterial) -> bool {
-    material.transmission <= 0.0 && material.metallic <= 0.0 && material.specular <= 0.0
 }
 
 /// One of several candidates, chosen by what it would give were nothing in its way, and made to stand for all (Talbot, Cline, Egbert, "Importance Resampling

@@ -71,13 +71,18 @@ impl Inside {
     }
 }
 
+impl PackedMaterial {
+    /// Whether it is matte: a diffuse surface, which may emit.
+    #[doc(hidden)]
+    pub fn is_matte(&self) -> bool {
+        self.metallic <= 0.0 && self.transmission <= 0.0 && self.specular <= 0.0
+    }
+}
+
 impl PackedScene {
     /// Whether all materials are matte: diffuse surfaces, which may emit.
     pub fn is_matte(&self) -> bool {
-        let is_matte = |material: &PackedMaterial| {
-            material.metallic <= 0.0 && material.transmission <= 0.0 && material.specular <= 0.0
-        };
-        self.geometry.materials.iter().all(is_matte)
+        self.geometry.materials.iter().all(PackedMaterial::is_matte)
     }
 
     /// Whether light enters any material.
