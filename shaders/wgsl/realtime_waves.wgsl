@@ -2982,12 +2982,18 @@ fn top_light_node_0( index_12 : u32) -> LightNode_0
 struct View_0
 {
      importance_0 : f32,
+     of_nearest_0 : f32,
      is_far_0 : bool,
 };
 
 fn with_slack_0( receiver_2 : Receiver_0,  cos_1 : f32) -> f32
 {
     return cos_1;
+}
+
+fn reach_of_0( toward_0 : vec3<f32>,  half_1 : vec3<f32>) -> vec3<f32>
+{
+    return max(abs(toward_0), half_1 * vec3<f32>(0.75f));
 }
 
 fn length_bound_0( absolute_0 : vec3<f32>) -> f32
@@ -3028,10 +3034,16 @@ fn reciprocal_guess_0( x_7 : f32) -> f32
     return guess_2 * (2.0f - x_7 * guess_2);
 }
 
-fn View_x24init_0( importance_1 : f32,  is_far_1 : bool) -> View_0
+fn nearest_of_0( toward_1 : vec3<f32>,  half_2 : vec3<f32>) -> vec3<f32>
+{
+    return max(abs(toward_1) - half_2, half_2 * vec3<f32>(0.03125f));
+}
+
+fn View_x24init_0( importance_1 : f32,  of_nearest_1 : f32,  is_far_1 : bool) -> View_0
 {
     var _S195 : View_0;
     _S195.importance_0 = importance_1;
+    _S195.of_nearest_0 = of_nearest_1;
     _S195.is_far_0 = is_far_1;
     return _S195;
 }
@@ -3041,13 +3053,13 @@ fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     var _S196 : vec3<f32> = vector_of_0(node_2.max_1);
     var _S197 : vec3<f32> = vector_of_0(node_2.min_1);
     var _S198 : vec3<f32> = vec3<f32>(0.5f);
-    var half_1 : vec3<f32> = (_S196 - _S197) * _S198;
-    var toward_0 : vec3<f32> = (_S197 + _S196) * _S198 - receiver_3.point_0;
-    var middle_0 : f32 = dot_product_0(toward_0, receiver_3.normal_2);
-    var aside_0 : f32 = dot_product_0(half_1, abs(receiver_3.normal_2));
+    var half_3 : vec3<f32> = (_S196 - _S197) * _S198;
+    var toward_2 : vec3<f32> = (_S197 + _S196) * _S198 - receiver_3.point_0;
+    var middle_0 : f32 = dot_product_0(toward_2, receiver_3.normal_2);
+    var aside_0 : f32 = dot_product_0(half_3, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_0 + aside_0);
-    var far_4 : f32 = length_squared_0(toward_0);
-    var near_4 : f32 = length_squared_0(half_1);
+    var far_4 : f32 = length_squared_0(toward_2);
+    var near_4 : f32 = length_squared_0(half_3);
     var is_far_2 : bool;
     if((with_slack_0(receiver_3, middle_0 - aside_0)) > 0.0f)
     {
@@ -3057,19 +3069,20 @@ fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     {
         is_far_2 = false;
     }
-    var distance_3 : f32 = length_bound_0(select(half_1, abs(toward_0), vec3<bool>((far_4 > near_4))));
+    var reach_0 : vec3<f32> = reach_of_0(toward_2, half_3);
+    var distance_3 : f32 = length_bound_0(reach_0);
     var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0, distance_3));
-    var falloff_0 : f32 = reciprocal_guess_0(max(far_4, near_4));
-    var _S199 : f32;
+    var falloff_0 : f32 = reciprocal_guess_0(length_squared_0(reach_0));
+    var cosines_0 : f32;
     if(above_0 > 0.0f)
     {
-        _S199 = sent_0 * min(above_0, distance_3) * (falloff_0 * falloff_0);
+        cosines_0 = sent_0 * min(above_0, distance_3) * falloff_0;
     }
     else
     {
-        _S199 = 0.0f;
+        cosines_0 = 0.0f;
     }
-    return View_x24init_0(_S199, is_far_2);
+    return View_x24init_0(cosines_0 * falloff_0, cosines_0 * reciprocal_guess_0(length_squared_0(nearest_of_0(toward_2, half_3))), is_far_2);
 }
 
 fn importance_of_all_0( receiver_4 : Receiver_0) -> f32
@@ -3108,25 +3121,25 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S200 : bool;
+    var _S199 : bool;
     if(SKY_0 == u32(1))
     {
-        _S200 = (params_0.sky_irradiance_0) > 0.0f;
+        _S199 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S200 = false;
+        _S199 = false;
     }
-    return _S200;
+    return _S199;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S201 : Selection_0;
-    _S201.sun_0 = sun_1;
-    _S201.sky_1 = sky_2;
-    _S201.emitters_0 = emitters_1;
-    return _S201;
+    var _S200 : Selection_0;
+    _S200.sun_0 = sun_1;
+    _S200.sky_1 = sky_2;
+    _S200.emitters_0 = emitters_1;
+    return _S200;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -3156,8 +3169,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S202 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S202, sky_3, (1.0f - sun_2) * _S202);
+    var _S201 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S201, sky_3, (1.0f - sun_2) * _S201);
 }
 
 fn Path_selection_at_0( this_35 : Path_0,  last_3 : Receiver_0) -> Selection_0
@@ -3174,30 +3187,30 @@ fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S203 : f32;
+    var _S202 : f32;
     if(SKY_0 == u32(1))
     {
-        _S203 = Environment_pdf_0(direction_15);
+        _S202 = Environment_pdf_0(direction_15);
+    }
+    else
+    {
+        _S202 = 0.0f;
+    }
+    return _S202;
+}
+
+fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
+{
+    var _S203 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S203 = Sky_pdf_0(direction_16) * selection_1.sky_1;
     }
     else
     {
         _S203 = 0.0f;
     }
     return _S203;
-}
-
-fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
-{
-    var _S204 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S204 = Sky_pdf_0(direction_16) * selection_1.sky_1;
-    }
-    else
-    {
-        _S204 = 0.0f;
-    }
-    return _S204;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3208,16 +3221,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S205 : bool;
+    var _S204 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S205 = true;
+        _S204 = true;
     }
     else
     {
-        _S205 = light_pdf_0 == 0.0f;
+        _S204 = light_pdf_0 == 0.0f;
     }
-    if(_S205)
+    if(_S204)
     {
         return 1.0f;
     }
@@ -3231,24 +3244,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_36 : Path_0) -> bool
 {
-    var _S206 : bool;
+    var _S205 : bool;
     if((this_36.bounce_0) == u32(0))
     {
-        _S206 = (this_36.pdf_1) == 0.0f;
+        _S205 = (this_36.pdf_1) == 0.0f;
     }
     else
     {
-        _S206 = false;
+        _S205 = false;
     }
-    if(_S206)
+    if(_S205)
     {
-        _S206 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
+        _S205 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S206 = false;
+        _S205 = false;
     }
-    return _S206;
+    return _S205;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3258,44 +3271,44 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S207 : vec3<f32>;
+    var _S206 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S207 = params_0.sun_radiance_0;
+        _S206 = params_0.sun_radiance_0;
     }
     else
     {
-        _S207 = vec3<f32>(0.0f);
+        _S206 = vec3<f32>(0.0f);
     }
-    return _S207;
+    return _S206;
 }
 
 fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
-    var _S208 : f32;
+    var _S207 : f32;
     if(SunDisc_contains_0(direction_19))
     {
-        _S208 = params_0.sun_pdf_0;
+        _S207 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S207 = 0.0f;
+    }
+    return _S207;
+}
+
+fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
+{
+    var _S208 : f32;
+    if(has_sun_0())
+    {
+        _S208 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
     }
     else
     {
         _S208 = 0.0f;
     }
     return _S208;
-}
-
-fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
-{
-    var _S209 : f32;
-    if(has_sun_0())
-    {
-        _S209 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
-    }
-    else
-    {
-        _S209 = 0.0f;
-    }
-    return _S209;
 }
 
 fn Path_dimension_scatter_0( this_37 : Path_0) -> u32
@@ -3358,12 +3371,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S210 : Aim_0;
-    _S210.is_met_0 = is_met_1;
-    _S210.direction_21 = direction_22;
-    _S210.hit_6 = hit_7;
-    _S210.luminance_1 = luminance_2;
-    return _S210;
+    var _S209 : Aim_0;
+    _S209.is_met_0 = is_met_1;
+    _S209.direction_21 = direction_22;
+    _S209.hit_6 = hit_7;
+    _S209.luminance_1 = luminance_2;
+    return _S209;
 }
 
 struct LightSample_0
@@ -3376,18 +3389,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S211 : LightSample_0;
-    _S211.ray_13 = ray_14;
-    _S211.cos_theta_1 = cos_theta_2;
-    _S211.radiance_1 = radiance_2;
-    _S211.pdf_2 = pdf_3;
-    return _S211;
+    var _S210 : LightSample_0;
+    _S210.ray_13 = ray_14;
+    _S210.cos_theta_1 = cos_theta_2;
+    _S210.radiance_1 = radiance_2;
+    _S210.pdf_2 = pdf_3;
+    return _S210;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S212 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S212, 0.0f, _S212, 0.0f), 0.0f, _S212, 0.0f);
+    var _S211 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S211, 0.0f, _S211, 0.0f), 0.0f, _S211, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3443,36 +3456,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S213 : ChosenDirection_0;
-    _S213.direction_25 = direction_26;
-    _S213.radiance_3 = radiance_4;
-    _S213.pdf_4 = pdf_5;
-    return _S213;
+    var _S212 : ChosenDirection_0;
+    _S212.direction_25 = direction_26;
+    _S212.radiance_3 = radiance_4;
+    _S212.pdf_4 = pdf_5;
+    return _S212;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S214 : f32 = abs(u_5);
-    var _S215 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S214 + _S215);
+    var _S213 : f32 = abs(u_5);
+    var _S214 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S213 + _S214);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S215 - _S214, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S214 - _S213, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S216 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S216);
+    var _S215 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S215);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S216;
+    var z_0 : f32 = 1.0f - _S215;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3481,45 +3494,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S217 : f32;
+    var _S216 : f32;
     if(v_5 < 0.0f)
     {
-        _S217 = - y_4;
+        _S216 = - y_4;
     }
     else
     {
-        _S217 = y_4;
+        _S216 = y_4;
     }
-    var _S218 : f32;
+    var _S217 : f32;
     if(height_1 < 0.0f)
     {
-        _S218 = - z_0;
+        _S217 = - z_0;
     }
     else
     {
-        _S218 = z_0;
+        _S217 = z_0;
     }
-    return vec3<f32>(turns_2, _S217, _S218);
+    return vec3<f32>(turns_2, _S216, _S217);
 }
 
 fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S219 : f32 = d_2.x;
-    var _S220 : f32 = d_2.y;
-    return vec3<f32>(_S219 * cos_3 + _S220 * sin_2, _S220 * cos_3 - _S219 * sin_2, d_2.z);
+    var _S218 : f32 = d_2.x;
+    var _S219 : f32 = d_2.y;
+    return vec3<f32>(_S218 * cos_3 + _S219 * sin_2, _S219 * cos_3 - _S218 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S221 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S221, _S221, 0.0f);
+    var _S220 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S220, _S220, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S222 : f32 = u_6.x * edge_0;
-    var _S223 : f32 = edge_0 - 1.0f;
-    var _S224 : f32 = min(floor(_S222), _S223);
-    var own_1 : u32 = u32(_S224) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S223));
+    var _S221 : f32 = u_6.x * edge_0;
+    var _S222 : f32 = edge_0 - 1.0f;
+    var _S223 : f32 = min(floor(_S221), _S222);
+    var own_1 : u32 = u32(_S223) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S222));
     var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
@@ -3534,10 +3547,10 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S225 : u32 = index_14 % params_0.sky_edge_0;
-    var _S226 : f32 = f32(_S225);
-    var _S227 : u32 = index_14 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S226, f32(_S227)) + vec2<f32>(min(_S222 - _S224, 1.0f), u_6.w);
+    var _S224 : u32 = index_14 % params_0.sky_edge_0;
+    var _S225 : f32 = f32(_S224);
+    var _S226 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S225, f32(_S226)) + vec2<f32>(min(_S221 - _S223, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3546,17 +3559,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<fun
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S228 : bool;
+    var _S227 : bool;
     if(SKY_0 != u32(1))
     {
-        _S228 = true;
+        _S227 = true;
     }
     else
     {
-        var _S229 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S228 = !_S229;
+        var _S228 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S227 = !_S228;
     }
-    if(_S228)
+    if(_S227)
     {
         return false;
     }
@@ -3578,15 +3591,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S230 : Descent_0;
-    _S230.node_3 = node_4;
-    _S230.index_15 = index_16;
-    _S230.count_2 = count_3;
-    _S230.weight_0 = weight_1;
-    _S230.total_0 = total_1;
-    _S230.choice_0 = choice_1;
-    _S230.is_far_3 = is_far_4;
-    return _S230;
+    var _S229 : Descent_0;
+    _S229.node_3 = node_4;
+    _S229.index_15 = index_16;
+    _S229.count_2 = count_3;
+    _S229.weight_0 = weight_1;
+    _S229.total_0 = total_1;
+    _S229.choice_0 = choice_1;
+    _S229.is_far_3 = is_far_4;
+    return _S229;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -3606,24 +3619,34 @@ fn Descent_at_0( this_40 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S231 : f32;
+    var _S230 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S231 = 0.0f;
+        _S230 = 0.0f;
     }
     else
     {
-        _S231 = weight_2;
+        _S230 = weight_2;
     }
-    return _S231;
+    return _S230;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S232 : f32 = normal_or_zero_0(left_0);
-    var _S233 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S232 + _S233);
-    return vec2<f32>(normal_or_zero_0(_S232 * unit_0), normal_or_zero_0(_S233 * unit_0));
+    var _S231 : f32 = normal_or_zero_0(left_0);
+    var _S232 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S231 + _S232);
+    return vec2<f32>(normal_or_zero_0(_S231 * unit_0), normal_or_zero_0(_S232 * unit_0));
+}
+
+fn weights_of_views_0( left_1 : View_0,  right_1 : View_0) -> vec2<f32>
+{
+    var near_5 : vec2<f32> = weights_of_0(left_1.of_nearest_0, right_1.of_nearest_0);
+    var _S233 : f32 = near_5.x;
+    var _S234 : f32 = near_5.y;
+    var of_near_0 : f32 = _S233 + _S234;
+    var of_all_0 : f32 = (left_1.importance_0 + right_1.importance_0) * 0.5f;
+    return weights_of_0(left_1.importance_0 * of_near_0 + _S233 * of_all_0, right_1.importance_0 * of_near_0 + _S234 * of_all_0);
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3632,7 +3655,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S234 : LightNode_0 = node_6;
+        var _S235 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3640,59 +3663,49 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S234.parent_0);
-        var _S235 : u32 = _S234.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S235;
-        var _S236 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S235.parent_0);
+        var _S236 : u32 = _S235.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S236;
+        var _S237 : u32;
         if(is_left_0)
         {
-            _S236 = parent_1.index_11;
+            _S237 = parent_1.index_11;
         }
         else
         {
-            _S236 = _S235;
+            _S237 = _S236;
         }
-        var _S237 : View_0 = view_0(node_6, receiver_11);
-        var _S238 : View_0 = view_0(top_light_node_0(_S236), receiver_11);
-        var _S239 : f32;
+        var own_2 : View_0 = view_0(node_6, receiver_11);
+        var other_2 : View_0 = view_0(top_light_node_0(_S237), receiver_11);
+        var weights_0 : vec2<f32>;
         if(is_left_0)
         {
-            _S239 = _S237.importance_0;
+            weights_0 = weights_of_views_0(own_2, other_2);
         }
         else
         {
-            _S239 = _S238.importance_0;
+            weights_0 = weights_of_views_0(other_2, own_2);
         }
-        var _S240 : f32;
-        if(is_left_0)
-        {
-            _S240 = _S238.importance_0;
-        }
-        else
-        {
-            _S240 = _S237.importance_0;
-        }
-        var weights_0 : vec2<f32> = weights_of_0(_S239, _S240);
-        var _S241 : f32 = weights_0.x;
-        var _S242 : f32 = weights_0.y;
-        var total_2 : f32 = _S241 + _S242;
+        var _S238 : f32 = weights_0.x;
+        var _S239 : f32 = weights_0.y;
+        var total_2 : f32 = _S238 + _S239;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S243 : f32;
+        var _S240 : f32;
         if(is_left_0)
         {
-            _S243 = _S241;
+            _S240 = _S238;
         }
         else
         {
-            _S243 = _S242;
+            _S240 = _S239;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S243;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S240;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S234.parent_0;
+        at_1 = _S235.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3706,16 +3719,16 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S244 : bool;
+        var _S241 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S244 = !(*descent_1).is_far_3;
+            _S241 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S244 = false;
+            _S241 = false;
         }
-        if(_S244)
+        if(_S241)
         {
         }
         else
@@ -3726,32 +3739,32 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         {
             return false;
         }
-        var left_1 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
-        var right_1 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
-        var weights_1 : vec2<f32> = weights_of_0(view_0(left_1, receiver_12).importance_0, view_0(right_1, receiver_12).importance_0);
-        var _S245 : f32 = weights_1.x;
-        var _S246 : f32 = weights_1.y;
-        var total_3 : f32 = _S245 + _S246;
+        var left_2 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
+        var right_2 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
+        var weights_1 : vec2<f32> = weights_of_views_0(view_0(left_2, receiver_12), view_0(right_2, receiver_12));
+        var _S242 : f32 = weights_1.x;
+        var _S243 : f32 = weights_1.y;
+        var total_3 : f32 = _S242 + _S243;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S247 : bool;
-        if(_S246 <= 0.0f)
+        var _S244 : bool;
+        if(_S243 <= 0.0f)
         {
-            _S247 = true;
+            _S244 = true;
         }
         else
         {
-            _S247 = ((*descent_1).choice_0 * total_3) < (_S245 * (*descent_1).weight_0);
+            _S244 = ((*descent_1).choice_0 * total_3) < (_S242 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S248 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S248 >= (vector_of_0(left_1.min_1))))))
+            var _S245 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S245 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_1 = (all((_S248 < (vector_of_0(left_1.max_1)))));
+                is_left_1 = (all((_S245 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -3760,63 +3773,63 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S247;
+            is_left_1 = _S244;
         }
-        var _S249 : f32 = (*descent_1).choice_0 * total_3;
-        var _S250 : f32;
+        var _S246 : f32 = (*descent_1).choice_0 * total_3;
+        var _S247 : f32;
         if(is_left_1)
         {
-            _S250 = 0.0f;
+            _S247 = 0.0f;
         }
         else
         {
-            _S250 = _S245 * (*descent_1).weight_0;
+            _S247 = _S242 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S249 - _S250;
-        var _S251 : u32;
+        (*descent_1).choice_0 = _S246 - _S247;
+        var _S248 : u32;
         if(is_left_1)
         {
-            _S251 = (*descent_1).node_3 + u32(1);
+            _S248 = (*descent_1).node_3 + u32(1);
         }
         else
         {
-            _S251 = (*descent_1).index_15;
+            _S248 = (*descent_1).index_15;
         }
-        (*descent_1).node_3 = _S251;
-        var _S252 : u32;
+        (*descent_1).node_3 = _S248;
+        var _S249 : u32;
         if(is_left_1)
         {
-            _S252 = left_1.index_11;
+            _S249 = left_2.index_11;
         }
         else
         {
-            _S252 = right_1.index_11;
+            _S249 = right_2.index_11;
         }
-        (*descent_1).index_15 = _S252;
-        var _S253 : u32;
+        (*descent_1).index_15 = _S249;
+        var _S250 : u32;
         if(is_left_1)
         {
-            _S253 = left_1.count_1;
+            _S250 = left_2.count_1;
         }
         else
         {
-            _S253 = right_1.count_1;
+            _S250 = right_2.count_1;
         }
-        (*descent_1).count_2 = _S253;
+        (*descent_1).count_2 = _S250;
         (*descent_1).is_far_3 = false;
-        var _S254 : f32;
+        var _S251 : f32;
         if(is_left_1)
         {
-            _S254 = _S245;
+            _S251 = _S242;
         }
         else
         {
-            _S254 = _S246;
+            _S251 = _S243;
         }
-        var _S255 : f32 = (*descent_1).weight_0 * _S254;
-        (*descent_1).weight_0 = _S255;
+        var _S252 : f32 = (*descent_1).weight_0 * _S251;
+        (*descent_1).weight_0 = _S252;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S255 <= 0.0f)
+        if(_S252 <= 0.0f)
         {
             return false;
         }
@@ -3835,8 +3848,8 @@ fn in_grid_0( instance_13 : u32,  receiver_13 : Receiver_0) -> Receiver_0
     {
         return receiver_13;
     }
-    var _S256 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
-    return Receiver_x24init_0(Transform_point_0(_S256.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S256.grid_from_world_0, receiver_13.normal_2)));
+    var _S253 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
+    return Receiver_x24init_0(Transform_point_0(_S253.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S253.grid_from_world_0, receiver_13.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3858,8 +3871,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S257 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S257), Rows_operatorx5Bx5D_get_4(_S257 + u32(1)), Rows_operatorx5Bx5D_get_4(_S257 + u32(2)), Rows_operatorx5Bx5D_get_4(_S257 + u32(3)));
+        var _S254 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S254), Rows_operatorx5Bx5D_get_4(_S254 + u32(1)), Rows_operatorx5Bx5D_get_4(_S254 + u32(2)), Rows_operatorx5Bx5D_get_4(_S254 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -3916,16 +3929,16 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S258 : bool;
+        var _S255 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S258 = !(*descent_2).is_far_3;
+            _S255 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S258 = false;
+            _S255 = false;
         }
-        if(_S258)
+        if(_S255)
         {
         }
         else
@@ -3936,34 +3949,34 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         {
             return false;
         }
-        var left_2 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
-        var right_2 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
-        var of_left_0 : View_0 = view_0(left_2, receiver_14);
-        var of_right_0 : View_0 = view_0(right_2, receiver_14);
-        var weights_2 : vec2<f32> = weights_of_0(of_left_0.importance_0, of_right_0.importance_0);
-        var _S259 : f32 = weights_2.x;
-        var _S260 : f32 = weights_2.y;
-        var total_4 : f32 = _S259 + _S260;
+        var left_3 : LightNode_0 = GridLights_node_0((*descent_2).node_3 + u32(1));
+        var right_3 : LightNode_0 = GridLights_node_0((*descent_2).index_15);
+        var of_left_0 : View_0 = view_0(left_3, receiver_14);
+        var of_right_0 : View_0 = view_0(right_3, receiver_14);
+        var weights_2 : vec2<f32> = weights_of_views_0(of_left_0, of_right_0);
+        var _S256 : f32 = weights_2.x;
+        var _S257 : f32 = weights_2.y;
+        var total_4 : f32 = _S256 + _S257;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S261 : bool;
-        if(_S260 <= 0.0f)
+        var _S258 : bool;
+        if(_S257 <= 0.0f)
         {
-            _S261 = true;
+            _S258 = true;
         }
         else
         {
-            _S261 = ((*descent_2).choice_0 * total_4) < (_S259 * (*descent_2).weight_0);
+            _S258 = ((*descent_2).choice_0 * total_4) < (_S256 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S262 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S262 >= (vector_of_0(left_2.min_1))))))
+            var _S259 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S259 >= (vector_of_0(left_3.min_1))))))
             {
-                is_left_2 = (all((_S262 < (vector_of_0(left_2.max_1)))));
+                is_left_2 = (all((_S259 < (vector_of_0(left_3.max_1)))));
             }
             else
             {
@@ -3972,72 +3985,72 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S261;
+            is_left_2 = _S258;
         }
-        var _S263 : f32 = (*descent_2).choice_0 * total_4;
-        var _S264 : f32;
+        var _S260 : f32 = (*descent_2).choice_0 * total_4;
+        var _S261 : f32;
         if(is_left_2)
         {
-            _S264 = 0.0f;
+            _S261 = 0.0f;
         }
         else
         {
-            _S264 = _S259 * (*descent_2).weight_0;
+            _S261 = _S256 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S263 - _S264;
-        var _S265 : u32;
+        (*descent_2).choice_0 = _S260 - _S261;
+        var _S262 : u32;
         if(is_left_2)
         {
-            _S265 = (*descent_2).node_3 + u32(1);
+            _S262 = (*descent_2).node_3 + u32(1);
         }
         else
         {
-            _S265 = (*descent_2).index_15;
+            _S262 = (*descent_2).index_15;
         }
-        (*descent_2).node_3 = _S265;
-        var _S266 : u32;
+        (*descent_2).node_3 = _S262;
+        var _S263 : u32;
         if(is_left_2)
         {
-            _S266 = left_2.index_11;
+            _S263 = left_3.index_11;
         }
         else
         {
-            _S266 = right_2.index_11;
+            _S263 = right_3.index_11;
         }
-        (*descent_2).index_15 = _S266;
-        var _S267 : u32;
+        (*descent_2).index_15 = _S263;
+        var _S264 : u32;
         if(is_left_2)
         {
-            _S267 = left_2.count_1;
+            _S264 = left_3.count_1;
         }
         else
         {
-            _S267 = right_2.count_1;
+            _S264 = right_3.count_1;
         }
-        (*descent_2).count_2 = _S267;
-        var _S268 : bool;
+        (*descent_2).count_2 = _S264;
+        var _S265 : bool;
         if(is_left_2)
         {
-            _S268 = of_left_0.is_far_0;
+            _S265 = of_left_0.is_far_0;
         }
         else
         {
-            _S268 = of_right_0.is_far_0;
+            _S265 = of_right_0.is_far_0;
         }
-        (*descent_2).is_far_3 = _S268;
-        var _S269 : f32;
+        (*descent_2).is_far_3 = _S265;
+        var _S266 : f32;
         if(is_left_2)
         {
-            _S269 = _S259;
+            _S266 = _S256;
         }
         else
         {
-            _S269 = _S260;
+            _S266 = _S257;
         }
-        var _S270 : f32 = (*descent_2).weight_0 * _S269;
-        (*descent_2).weight_0 = _S270;
+        var _S267 : f32 = (*descent_2).weight_0 * _S266;
+        (*descent_2).weight_0 = _S267;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S270 <= 0.0f)
+        if(_S267 <= 0.0f)
         {
             return false;
         }
@@ -4048,29 +4061,27 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
     var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S271 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S272 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S273 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S271 - _S272) * _S273;
-    var toward_1 : vec3<f32> = (_S272 + _S271) * _S273 - point_3;
-    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(select(half_2, abs(toward_1), vec3<bool>(((length_squared_0(toward_1)) > (length_squared_0(half_2)))))));
+    var _S268 : vec3<f32> = vector_of_0(node_10.max_1);
+    var _S269 : vec3<f32> = vector_of_0(node_10.min_1);
+    var _S270 : vec3<f32> = vec3<f32>(0.5f);
+    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(reach_of_0((_S269 + _S268) * _S270 - point_3, (_S268 - _S269) * _S270)));
     var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S274 : f32 = way_4.choice_0 * total_5;
-    var _S275 : u32 = (*side_0);
+    var _S271 : f32 = way_4.choice_0 * total_5;
+    var _S272 : u32 = (*side_0);
     var share_1 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_1);
-    var _S276 : bool;
+    var _S273 : bool;
     if(is_met_2)
     {
-        _S276 = u32(0) == _S275;
+        _S273 = u32(0) == _S272;
     }
     else
     {
-        _S276 = share_1 > 0.0f;
+        _S273 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S276)
+    if(_S273)
     {
         (*side_0) = u32(0);
         chosen_2 = share_1;
@@ -4079,145 +4090,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S277 : bool = _S274 < (share_1 * way_4.weight_0);
+    var _S274 : bool = _S271 < (share_1 * way_4.weight_0);
     var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S276 = u32(1) == _S275;
+        _S273 = u32(1) == _S272;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S276 = !_S277;
+            _S273 = !_S274;
         }
         else
         {
-            _S276 = false;
+            _S273 = false;
         }
     }
-    if(_S276)
+    if(_S273)
     {
         (*side_0) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S277)
+    if(_S274)
     {
-        _S276 = true;
+        _S273 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_0 * way_4.weight_0);
+        _S273 = _S271 < (passed_0 * way_4.weight_0);
     }
     var share_3 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_1);
-    var _S278 : bool;
+    var _S275 : bool;
     if(is_met_2)
     {
-        _S278 = u32(2) == _S275;
+        _S275 = u32(2) == _S272;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S278 = !_S276;
+            _S275 = !_S273;
         }
         else
         {
-            _S278 = false;
+            _S275 = false;
         }
     }
-    if(_S278)
+    if(_S275)
     {
         (*side_0) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S276)
+    if(_S273)
     {
-        _S276 = true;
+        _S273 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_1 * way_4.weight_0);
+        _S273 = _S271 < (passed_1 * way_4.weight_0);
     }
     var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S278 = u32(3) == _S275;
+        _S275 = u32(3) == _S272;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S278 = !_S276;
+            _S275 = !_S273;
         }
         else
         {
-            _S278 = false;
+            _S275 = false;
         }
     }
-    if(_S278)
+    if(_S275)
     {
         (*side_0) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S276)
+    if(_S273)
     {
-        _S276 = true;
+        _S273 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_2 * way_4.weight_0);
+        _S273 = _S271 < (passed_2 * way_4.weight_0);
     }
     var share_5 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S278 = u32(4) == _S275;
+        _S275 = u32(4) == _S272;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S278 = !_S276;
+            _S275 = !_S273;
         }
         else
         {
-            _S278 = false;
+            _S275 = false;
         }
     }
-    if(_S278)
+    if(_S275)
     {
         (*side_0) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S276)
+    if(_S273)
     {
-        _S276 = true;
+        _S273 = true;
     }
     else
     {
-        _S276 = _S274 < (passed_3 * way_4.weight_0);
+        _S273 = _S271 < (passed_3 * way_4.weight_0);
     }
     var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S276 = u32(5) == _S275;
+        _S273 = u32(5) == _S272;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S276 = !_S276;
+            _S273 = !_S273;
         }
         else
         {
-            _S276 = false;
+            _S273 = false;
         }
     }
-    if(_S276)
+    if(_S273)
     {
         (*side_0) = u32(5);
         chosen_2 = share_6;
@@ -4225,13 +4236,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S276 = ((*odds_0).x) > 0.0f;
+        _S273 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S276 = false;
+        _S273 = false;
     }
-    return _S276;
+    return _S273;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
@@ -4241,16 +4252,16 @@ fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S279 : u32;
+    var _S276 : u32;
     if(lights_in_pages_0())
     {
-        _S279 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S276 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S279 = light_node_word_0(index_21, u32(8) + side_1);
+        _S276 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S279)));
+    return (bitcast<f32>((_S276)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4258,9 +4269,9 @@ fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
     return select(select(vector_5.z, vector_5.y, axis_6 == u32(1)), vector_5.x, axis_6 == u32(0));
 }
 
-fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 : vec3<f32>,  face_3 : u32) -> f32
+fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_3 : vec3<f32>,  face_3 : u32) -> f32
 {
-    var along_0 : f32 = component_0(toward_2, (face_3 >> (u32(1))));
+    var along_0 : f32 = component_0(toward_3, (face_3 >> (u32(1))));
     var in_front_0 : f32;
     if(((face_3 & (u32(1)))) == u32(1))
     {
@@ -4270,7 +4281,7 @@ fn density_0( odds_1 : vec2<f32>,  luminance_3 : f32,  power_4 : f32,  toward_2 
     {
         in_front_0 = along_0;
     }
-    var distance_squared_0 : f32 = length_squared_0(toward_2);
+    var distance_squared_0 : f32 = length_squared_0(toward_3);
     var unit_2 : f32 = inverse_power_of_two_0(power_4);
     var share_7 : f32 = odds_1.x * (luminance_3 * unit_2) * (distance_squared_0 * square_root_0(distance_squared_0));
     if(in_front_0 > 0.0f)
@@ -4321,57 +4332,57 @@ fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S280 : u32;
+    var _S277 : u32;
     if(lights_in_pages_0())
     {
-        _S280 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S277 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S280 = emitter_word_0(index_24, u32(4));
+        _S277 = emitter_word_0(index_24, u32(4));
     }
-    return _S280;
+    return _S277;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S281 : f32;
+    var _S278 : f32;
     if(lights_in_pages_0())
     {
-        _S281 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+        _S278 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S281 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S278 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S281;
+    return _S278;
 }
 
 fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_11 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S282 : Emitter_0;
-    _S282.voxel_24 = voxel_25;
-    _S282.grid_10 = grid_11;
-    _S282.faces_0 = faces_1;
-    _S282.material_6 = material_7;
-    _S282.luminance_4 = luminance_5;
-    _S282.leaf_0 = leaf_1;
-    return _S282;
+    var _S279 : Emitter_0;
+    _S279.voxel_24 = voxel_25;
+    _S279.grid_10 = grid_11;
+    _S279.faces_0 = faces_1;
+    _S279.material_6 = material_7;
+    _S279.luminance_4 = luminance_5;
+    _S279.leaf_0 = leaf_1;
+    return _S279;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S283 : u32 = u32(2) * index_26;
-        var _S284 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S283);
-        var _S285 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S283 + u32(1));
-        var _S286 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S284.x), i32(_S284.y), i32(_S284.z) );
-        return Emitter_x24init_0(_S286, _S284.w, _S285.x, _S285.y, (bitcast<f32>((_S285.z))), _S285.w);
+        var _S280 : u32 = u32(2) * index_26;
+        var _S281 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S280);
+        var _S282 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S280 + u32(1));
+        var _S283 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S281.x), i32(_S281.y), i32(_S281.z) );
+        return Emitter_x24init_0(_S283, _S281.w, _S282.x, _S282.y, (bitcast<f32>((_S282.z))), _S282.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S287 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S287, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S284 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S284, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -4381,7 +4392,7 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var count_4 : u32 = way_5.count_2;
     var node_11 : u32 = way_5.node_3;
     var index_27 : u32 = way_5.index_15;
-    var _S288 : f32 = threshold_1;
+    var _S285 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -4399,9 +4410,9 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var left_3 : u32 = node_11 + u32(1);
-        var power_left_0 : f32 = light_power_at_0(left_3, side_2);
-        if(_S288 < power_left_0)
+        var left_4 : u32 = node_11 + u32(1);
+        var power_left_0 : f32 = light_power_at_0(left_4, side_2);
+        if(_S285 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4414,20 +4425,20 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S288 = _S288 - power_left_0;
+            _S285 = _S285 - power_left_0;
         }
         if(is_left_3)
         {
-            node_11 = left_3;
+            node_11 = left_4;
         }
         else
         {
             node_11 = index_27;
         }
         var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S289 : u32 = below_0.x;
+        var _S286 : u32 = below_0.x;
         count_4 = below_0.y;
-        index_27 = _S289;
+        index_27 = _S286;
     }
     is_found_8 = false;
     var chosen_3 : u32 = index_27;
@@ -4451,10 +4462,10 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S290 : f32 = _S288 - emitter_luminance_at_0(at_5);
-            is_found_8 = _S288 < (emitter_luminance_at_0(at_5));
+            var _S287 : f32 = _S285 - emitter_luminance_at_0(at_5);
+            is_found_8 = _S285 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S288 = _S290;
+            _S285 = _S287;
         }
         at_5 = at_5 + u32(1);
     }
@@ -4491,19 +4502,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_13 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_14);
-    var _S291 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S291), low_14 + vec3<f32>((1.0f - margin_0)));
-    var _S292 : bool = face_5 < u32(2);
-    var _S293 : bool;
+    var _S288 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S288), low_14 + vec3<f32>((1.0f - margin_0)));
+    var _S289 : bool = face_5 < u32(2);
+    var _S290 : bool;
     if(face_5 >= u32(2))
     {
-        _S293 = face_5 < u32(4);
+        _S290 = face_5 < u32(4);
     }
     else
     {
-        _S293 = false;
+        _S290 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S292, _S293, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S289, _S290, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4511,7 +4522,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_14 - _S291;
+        outside_0 = low_14 - _S288;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -4525,45 +4536,45 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S294 : bool;
+    var _S291 : bool;
     if(!IS_SINGLE_0)
     {
-        _S294 = aim_2.is_met_0;
+        _S291 = aim_2.is_met_0;
     }
     else
     {
-        _S294 = false;
+        _S291 = false;
     }
-    if(_S294)
+    if(_S291)
     {
-        var _S295 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
-        if((_S295.light_leaf_0) == u32(4294967295))
+        var _S292 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
+        if((_S292.light_leaf_0) == u32(4294967295))
         {
-            _S294 = true;
+            _S291 = true;
         }
         else
         {
-            var _S296 : bool = climb_0(receiver_15, _S295.light_leaf_0, &(descent_3));
-            _S294 = !_S296;
+            var _S293 : bool = climb_0(receiver_15, _S292.light_leaf_0, &(descent_3));
+            _S291 = !_S293;
         }
-        if(_S294)
+        if(_S291)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S295.light_leaf_0);
+        Descent_at_0(&(descent_3), _S292.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S297 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
-            _S294 = !_S297;
+            var _S294 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
+            _S291 = !_S294;
         }
         else
         {
-            _S294 = false;
+            _S291 = false;
         }
-        if(_S294)
+        if(_S291)
         {
             return false;
         }
@@ -4571,35 +4582,35 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_15);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S298 : bool = descend_1(local_3, aim_2, &(descent_3));
-    if(!_S298)
+    var _S295 : bool = descend_1(local_3, aim_2, &(descent_3));
+    if(!_S295)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S299 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S299)
+    var _S296 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S296)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S300 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S297 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S301 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S300.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S301;
-        return _S301 > 0.0f;
+        var _S298 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S297.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S298;
+        return _S298 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S302 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S302, side_3, u_9.z, u_9.w);
+    var _S299 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S299, side_3, u_9.z, u_9.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_3.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S300.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S300.grid_from_world_0.translation_0), _S302, side_3, on_face_0)) - receiver_15.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S297.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S297.grid_from_world_0.translation_0), _S299, side_3, on_face_0)) - receiver_15.point_0;
     var cos_theta_5 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_27, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_5 > 0.0f;
@@ -4607,8 +4618,8 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S303 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
-    return _S303;
+    var _S300 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
+    return _S300;
 }
 
 fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -4632,9 +4643,9 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
     }
     if(is_found_9)
     {
-        var _S304 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
+        var _S301 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_9 = _S304;
+        is_found_9 = _S301;
     }
     else
     {
@@ -4656,15 +4667,15 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
         }
         if(is_found_9)
         {
-            var _S305 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S302 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_9 = _S305;
+            is_found_9 = _S302;
         }
         else
         {
-            var _S306 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S303 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_9 = _S306;
+            is_found_9 = _S303;
         }
     }
     return is_found_9;
@@ -4672,34 +4683,34 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S307 : f32;
+    var _S304 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S307 = material_of_index_0(inside_3.material_0).ior_0;
+        _S304 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S307 = 1.0f;
+        _S304 = 1.0f;
     }
-    return _S307;
+    return _S304;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S308 : Microfacets_0;
-    _S308.alpha_0 = alpha_1;
-    return _S308;
+    var _S305 : Microfacets_0;
+    _S305.alpha_0 = alpha_1;
+    return _S305;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S309 : MaterialBsdf_0;
-    _S309.kind_0 = kind_1;
-    _S309.color_0 = color_2;
-    _S309.specular_1 = specular_2;
-    _S309.eta_0 = eta_1;
-    _S309.facets_0 = facets_1;
-    return _S309;
+    var _S306 : MaterialBsdf_0;
+    _S306.kind_0 = kind_1;
+    _S306.color_0 = color_2;
+    _S306.specular_1 = specular_2;
+    _S306.eta_0 = eta_1;
+    _S306.facets_0 = facets_1;
+    return _S306;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4718,17 +4729,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S310 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S311 : f32;
-    if(u_12 < _S310)
+    var _S307 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S308 : f32;
+    if(u_12 < _S307)
     {
-        _S311 = divide_0(1.0f, _S310);
+        _S308 = divide_0(1.0f, _S307);
     }
     else
     {
-        _S311 = 0.0f;
+        _S308 = 0.0f;
     }
-    return _S311;
+    return _S308;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4742,32 +4753,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S312 : f32;
+    var _S309 : f32;
     if(face_6 < u32(2))
     {
-        _S312 = away_1;
+        _S309 = away_1;
     }
     else
     {
-        _S312 = 0.0f;
+        _S309 = 0.0f;
     }
-    var _S313 : bool;
+    var _S310 : bool;
     if(face_6 >= u32(2))
     {
-        _S313 = face_6 < u32(4);
+        _S310 = face_6 < u32(4);
     }
     else
     {
-        _S313 = false;
+        _S310 = false;
     }
-    var _S314 : f32;
-    if(_S313)
+    var _S311 : f32;
+    if(_S310)
     {
-        _S314 = away_1;
+        _S311 = away_1;
     }
     else
     {
-        _S314 = 0.0f;
+        _S311 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4776,7 +4787,7 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S312, _S314, away_1);
+    return vec3<f32>(_S309, _S311, away_1);
 }
 
 fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
@@ -4787,17 +4798,17 @@ fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
 fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S315 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S312 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S315, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S312, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        var _S316 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
-        surface_1.origin_11 = Transform_point_0(_S316.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S316.grid_from_world_0.translation_0), _S315, hit_8.face_0, Transform_point_0(_S316.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S316.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
-        surface_1.normal_3 = world_normal_0(_S316, hit_8.face_0);
+        var _S313 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
+        surface_1.origin_11 = Transform_point_0(_S313.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S313.grid_from_world_0.translation_0), _S312, hit_8.face_0, Transform_point_0(_S313.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S313.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.normal_3 = world_normal_0(_S313, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
     surface_1.instance_11 = hit_8.instance_0;
@@ -4851,8 +4862,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_15 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_44 : Inside_0,  ray_16 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    var _S317 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
-    return Transform_point_0(_S317.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S317.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S317.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S317.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
+    var _S314 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
+    return Transform_point_0(_S314.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S314.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S314.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S314.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
 }
 
 fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
@@ -4862,16 +4873,16 @@ fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_18 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S318 : Scatter_0;
-    _S318.path_3 = path_6;
-    _S318.receiver_0 = receiver_18;
-    _S318.surface_0 = surface_2;
-    _S318.bsdf_0 = bsdf_1;
-    _S318.wo_0 = wo_1;
-    _S318.compensation_0 = compensation_1;
-    _S318.is_scattered_0 = is_scattered_1;
-    _S318.wants_light_0 = wants_light_1;
-    return _S318;
+    var _S315 : Scatter_0;
+    _S315.path_3 = path_6;
+    _S315.receiver_0 = receiver_18;
+    _S315.surface_0 = surface_2;
+    _S315.bsdf_0 = bsdf_1;
+    _S315.wo_0 = wo_1;
+    _S315.compensation_0 = compensation_1;
+    _S315.is_scattered_0 = is_scattered_1;
+    _S315.wants_light_0 = wants_light_1;
+    return _S315;
 }
 
 struct BsdfSample_0
@@ -4889,9 +4900,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S319 : Diffuse_0;
-    _S319.reflectance_0 = reflectance_1;
-    return _S319;
+    var _S316 : Diffuse_0;
+    _S316.reflectance_0 = reflectance_1;
+    return _S316;
 }
 
 fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
@@ -4908,12 +4919,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S320 : BsdfSample_0;
-    _S320.wi_0 = wi_1;
-    _S320.weight_3 = weight_4;
-    _S320.pdf_8 = pdf_9;
-    _S320.is_delta_0 = is_delta_1;
-    return _S320;
+    var _S317 : BsdfSample_0;
+    _S317.wi_0 = wi_1;
+    _S317.weight_3 = weight_4;
+    _S317.pdf_8 = pdf_9;
+    _S317.is_delta_0 = is_delta_1;
+    return _S317;
 }
 
 fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -4925,8 +4936,8 @@ fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S321 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
-    return _S321;
+    var _S318 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
+    return _S318;
 }
 
 fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
@@ -4940,23 +4951,23 @@ fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3
     {
         away_2 = - local_5.z;
     }
-    var _S322 : f32 = local_5.x;
-    var _S323 : f32 = local_5.y;
-    var _S324 : vec3<f32> = vec3<f32>(_S322, _S323, away_2);
+    var _S319 : f32 = local_5.x;
+    var _S320 : f32 = local_5.y;
+    var _S321 : vec3<f32> = vec3<f32>(_S319, _S320, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_48.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S322, _S323);
+        in_grid_3 = vec3<f32>(away_2, _S319, _S320);
     }
     else
     {
         if((this_48.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S323, away_2, _S322);
+            in_grid_3 = vec3<f32>(_S320, away_2, _S319);
         }
         else
         {
-            in_grid_3 = _S324;
+            in_grid_3 = _S321;
         }
     }
     if(!IS_SINGLE_0)
@@ -5058,7 +5069,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S325 : vec3<f32> = vec3<f32>(0.0f);
+    var _S322 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5066,12 +5077,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S325;
+        le_1 = _S322;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_17.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S326 : bool = weighs_apart_0();
-    if(_S326)
+    var _S323 : bool = weighs_apart_0();
+    if(_S323)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5099,7 +5110,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S326)
+        if(!_S323)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5109,15 +5120,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S327 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S327;
+            var _S324 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S324;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S328 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S329 : f32 = (*path_7).pdf_1;
+        var _S325 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S326 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5126,13 +5137,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S328 * vec3<f32>(mis_weight_0(_S329, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S325 * vec3<f32>(mis_weight_0(_S326, light_pdf_1));
     }
-    var _S330 : f32 = ior_of_0((*path_7).inside_0);
-    var _S331 : f32 = u_16[i32(3)];
-    var _S332 : MaterialBsdf_0 = bsdf_of_0(material_9, _S330, &(_S331));
-    u_16[i32(3)] = _S331;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S332);
+    var _S327 : f32 = ior_of_0((*path_7).inside_0);
+    var _S328 : f32 = u_16[i32(3)];
+    var _S329 : MaterialBsdf_0 = bsdf_of_0(material_9, _S327, &(_S328));
+    u_16[i32(3)] = _S328;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S329);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5141,8 +5152,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S333 : bool = !is_weighed_0;
-    if(_S333)
+    var _S330 : bool = !is_weighed_0;
+    if(_S330)
     {
         if(is_chosen_0)
         {
@@ -5162,7 +5173,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S333)
+    if(_S330)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5184,19 +5195,19 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         at_6 = hit_9;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_17, at_6);
-    var _S334 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
-    var _S335 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S335);
+    var _S331 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
+    var _S332 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S332);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S336 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S336;
-        var _S337 : vec3<f32> = normalize_vector_0(_S335);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S336, ray_17, t_14), _S325);
-        wo_5 = _S337;
+        var _S333 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S333;
+        var _S334 : vec3<f32> = normalize_vector_0(_S332);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S333, ray_17, t_14), _S322);
+        wo_5 = _S334;
     }
     else
     {
@@ -5206,7 +5217,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_19 = _S334;
+        receiver_19 = _S331;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_19.point_0;
@@ -5215,13 +5226,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     {
         receiver_19 = last_5;
     }
-    if(_S333)
+    if(_S330)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S338 : bool = !MaterialBsdf_is_delta_0(_S332);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S332, wo_5, compensation_2, is_scattered_2, _S338);
+    var _S335 : bool = !MaterialBsdf_is_delta_0(_S329);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S329, wo_5, compensation_2, is_scattered_2, _S335);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5238,8 +5249,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S339 : bool = MaterialBsdf_sample_0(_S332, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S339)
+    var _S336 : bool = MaterialBsdf_sample_0(_S329, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S336)
     {
         return next_0;
     }
@@ -5266,16 +5277,16 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
 
 fn is_mover_0( instance_15 : u32) -> bool
 {
-    var _S340 : bool;
+    var _S337 : bool;
     if(instance_15 < (real_time_0.motions_0))
     {
-        _S340 = (motions_1[u32(4) * instance_15 + u32(3)].x) != 0.0f;
+        _S337 = (motions_1[u32(4) * instance_15 + u32(3)].x) != 0.0f;
     }
     else
     {
-        _S340 = false;
+        _S337 = false;
     }
-    return _S340;
+    return _S337;
 }
 
 fn shading_normal_0( ray_18 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
@@ -5300,56 +5311,56 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S341 : Path_0 = path_8;
+    var _S338 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S341.inside_0))
+    if(Inside_is_in_0(_S338.inside_0))
     {
-        absorb_0(&(_S341), _S341.inside_0, ray_19, hit_11.t_0);
+        absorb_0(&(_S338), _S338.inside_0, ray_19, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S341, hit_11, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S338, hit_11, beyond_4);
     (*sample_9).normal_1 = in_ten_bits_0(shading_normal_0(ray_19, hit_11, material_12));
-    (*sample_9).albedo_0 = _S341.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S338.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S342 : bool;
+    var _S339 : bool;
     if((*this_49).sees_mover_0)
     {
-        _S342 = true;
+        _S339 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_12))
         {
-            _S342 = is_mover_0(hit_12.instance_0);
+            _S339 = is_mover_0(hit_12.instance_0);
         }
         else
         {
-            _S342 = false;
+            _S339 = false;
         }
     }
-    (*this_49).sees_mover_0 = _S342;
-    var _S343 : bool = ((*this_49).path_0.bounce_0) == u32(0);
+    (*this_49).sees_mover_0 = _S339;
+    var _S340 : bool = ((*this_49).path_0.bounce_0) == u32(0);
     if(goes_on_0)
     {
-        _S342 = _S343;
+        _S339 = _S340;
     }
     else
     {
-        _S342 = false;
+        _S339 = false;
     }
-    var _S344 : bool = !_S342;
-    (*this_49).has_shown_0 = _S344;
-    if(!_S344)
+    var _S341 : bool = !_S339;
+    (*this_49).has_shown_0 = _S341;
+    if(!_S341)
     {
         (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
     }
     else
     {
-        var _S345 : u32;
+        var _S342 : u32;
         if(!Hit_is_miss_0(hit_12))
         {
             show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, &((*sample_10)));
@@ -5358,31 +5369,31 @@ fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
             {
                 if((*this_49).sees_mover_0)
                 {
-                    _S345 = u32(4294967295);
+                    _S342 = u32(4294967295);
                 }
                 else
                 {
-                    _S345 = u32(4294967294);
+                    _S342 = u32(4294967294);
                 }
             }
             else
             {
-                _S345 = hit_12.instance_0;
+                _S342 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S345;
+            (*sample_10).instance_7 = _S342;
         }
         else
         {
             (*sample_10).albedo_0 = vec3<f32>(0.0f);
             if((*this_49).sees_mover_0)
             {
-                _S345 = u32(4294967295);
+                _S342 = u32(4294967295);
             }
             else
             {
-                _S345 = u32(4294967294);
+                _S342 = u32(4294967294);
             }
-            (*sample_10).instance_7 = _S345;
+            (*sample_10).instance_7 = _S342;
         }
     }
     return;
@@ -5403,10 +5414,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S346 : BsdfEval_0;
-    _S346.weight_5 = weight_6;
-    _S346.pdf_10 = pdf_11;
-    return _S346;
+    var _S343 : BsdfEval_0;
+    _S343.weight_5 = weight_6;
+    _S343.pdf_10 = pdf_11;
+    return _S343;
 }
 
 fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5423,9 +5434,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S347 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S347;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S347) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S344 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S344;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S344) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_20 : Ray_0) -> u32
@@ -5434,17 +5445,17 @@ fn place_of_ray_0( ray_20 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_20.origin_0, length_squared_0(ray_20.origin_0 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S348 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
+    var _S345 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_2 : vec3<i32>;
     if((ray_20.t_max_0) <= 1.0f)
     {
-        var _S349 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
-        end_2 = _S349;
+        var _S346 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
+        end_2 = _S346;
     }
     else
     {
-        end_2 = _S348;
+        end_2 = _S345;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_2), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -5485,18 +5496,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
-        var _S350 : vec4<f32>;
+        var _S347 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S350 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S347 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            _S350 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S347 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
-        u_17 = _S350;
-        var _S351 : bool = count_5 > u32(1);
-        if(_S351)
+        u_17 = _S347;
+        var _S348 : bool = count_5 > u32(1);
+        if(_S348)
         {
             u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -5507,7 +5518,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S352 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
+        var _S349 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5515,41 +5526,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S352;
+            wi_5 = _S349;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S353 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S353);
-        var _S354 : bool;
+        var _S350 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S350);
+        var _S351 : bool;
         if(weighs_candidates_0)
         {
-            _S354 = _S351;
+            _S351 = _S348;
         }
         else
         {
-            _S354 = false;
+            _S351 = false;
         }
         var weight_8 : f32;
-        if(_S354)
+        if(_S351)
         {
-            var _S355 : f32 = visibility_0(light_7.ray_13);
-            weight_8 = weight_7 * _S355;
+            var _S352 : f32 = visibility_0(light_7.ray_13);
+            weight_8 = weight_7 * _S352;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_5 : f32 = sum_4 + weight_8;
-        var _S356 : bool;
-        if(_S351)
+        var _S353 : bool;
+        if(_S348)
         {
-            _S356 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
+            _S353 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
         }
         else
         {
-            _S356 = false;
+            _S353 = false;
         }
-        if(_S356)
+        if(_S353)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5560,7 +5571,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         {
             (*next_1).shadow_direction_0 = light_7.ray_13.direction_0;
             (*next_1).shadow_t_max_0 = light_7.ray_13.t_max_0;
-            (*next_1).light_2 = _S353;
+            (*next_1).light_2 = _S350;
             chosen_5 = weight_8;
         }
         else
@@ -5571,9 +5582,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S357 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S357;
-    if(_S357)
+    var _S354 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S354;
+    if(_S354)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5585,7 +5596,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
-    var _S358 : bool = (*at_7).is_at_cell_0;
+    var _S355 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
@@ -5596,8 +5607,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S359 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S359;
+        var _S356 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S356;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5608,8 +5619,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S360 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S360;
+            var _S357 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S357;
         }
         else
         {
@@ -5617,12 +5628,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S359;
-        var _S361 : Path_0 = (*at_7).path_0;
-        var _S362 : NextRays_0 = PathTracingOf_advance_0(&(_S361), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S361;
-        next_2 = _S362;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S359)));
+        var emitted_2 : vec3<f32> = _S356;
+        var _S358 : Path_0 = (*at_7).path_0;
+        var _S359 : NextRays_0 = PathTracingOf_advance_0(&(_S358), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S358;
+        next_2 = _S359;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S356)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5637,44 +5648,44 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if(!_S358)
+    if(!_S355)
     {
-        var _S363 : bool;
+        var _S360 : bool;
         if(counts_arrivals_0)
         {
-            _S363 = next_2.has_shadow_ray_0;
+            _S360 = next_2.has_shadow_ray_0;
         }
         else
         {
-            _S363 = false;
+            _S360 = false;
         }
-        if(_S363)
+        if(_S360)
         {
-            _S363 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S360 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S363 = false;
+            _S360 = false;
         }
-        if(_S363)
+        if(_S360)
         {
-            _S363 = !scatter_of_path_0.is_scattered_0;
+            _S360 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S363 = false;
+            _S360 = false;
         }
-        if(_S363)
+        if(_S360)
         {
-            _S363 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S360 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S363 = false;
+            _S360 = false;
         }
-        (*at_7).counts_0 = _S363;
+        (*at_7).counts_0 = _S360;
     }
-    if(_S358)
+    if(_S355)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5705,72 +5716,72 @@ fn key_of_1( hit_14 : Hit_0,  size_3 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_3, 1.0f, 128.0f);
     var power_8 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S364 : f32;
+    var _S361 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S364 = 1.0f;
+        _S361 = 1.0f;
     }
     else
     {
-        _S364 = 0.0f;
+        _S361 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_8 + _S364, 6.0f));
-    var _S365 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S365)));
-    var _S366 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S365))));
-    (*code_3) = u32(1) + (((((((_S366.x) | ((((_S366.y) << (level_1)))))) | ((((_S366.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_8 + _S361, 6.0f));
+    var _S362 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S362)));
+    var _S363 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S362))));
+    (*code_3) = u32(1) + (((((((_S363.x) | ((((_S363.y) << (level_1)))))) | ((((_S363.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_22 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S367 : bool;
+    var _S364 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S367 = true;
+        _S364 = true;
     }
     else
     {
-        _S367 = Inside_is_in_0(path_9.inside_0);
+        _S364 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S367)
+    if(_S364)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S367 = true;
+        _S364 = true;
     }
     else
     {
-        _S367 = (material_13.transmission_0) > 0.0f;
+        _S364 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S367)
+    if(_S364)
     {
         return false;
     }
     var code_4 : u32;
     var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_22.origin_0 + ray_22.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
-    var _S368 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
+    var _S365 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
     var is_from_first_1 : bool = (path_9.bounce_0) < u32(2);
     if(life_2 == u32(0))
     {
-        _S367 = true;
+        _S364 = true;
     }
     else
     {
         if(is_from_first_1)
         {
-            _S367 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S368;
+            _S364 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S365;
         }
         else
         {
-            _S367 = false;
+            _S364 = false;
         }
     }
-    if(_S367)
+    if(_S364)
     {
         return false;
     }
@@ -5802,31 +5813,31 @@ fn SunDisc_sample_1( receiver_20 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S369 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S369, _S369, 0.0f);
+    var _S366 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S366, _S366, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S370 : f32 = u_20.x * edge_1;
-    var _S371 : f32 = edge_1 - 1.0f;
-    var _S372 : f32 = min(floor(_S370), _S371);
-    var own_2 : u32 = u32(_S372) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S371));
+    var _S367 : f32 = u_20.x * edge_1;
+    var _S368 : f32 = edge_1 - 1.0f;
+    var _S369 : f32 = min(floor(_S367), _S368);
+    var own_3 : u32 = u32(_S369) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S368));
     var index_28 : u32;
-    if((u_20.z) < (environment_0[own_2].threshold_0))
+    if((u_20.z) < (environment_0[own_3].threshold_0))
     {
-        index_28 = own_2;
+        index_28 = own_3;
     }
     else
     {
-        index_28 = environment_0[own_2].alias_0;
+        index_28 = environment_0[own_3].alias_0;
     }
     var pdf_12 : f32 = environment_0[index_28].pdf_0;
     if((environment_0[index_28].pdf_0) <= 0.0f)
     {
         return false;
     }
-    var _S373 : u32 = index_28 % params_0.sky_edge_0;
-    var _S374 : f32 = f32(_S373);
-    var _S375 : u32 = index_28 / params_0.sky_edge_0;
-    var place_6 : vec2<f32> = vec2<f32>(_S374, f32(_S375)) + vec2<f32>(min(_S370 - _S372, 1.0f), u_20.w);
+    var _S370 : u32 = index_28 % params_0.sky_edge_0;
+    var _S371 : f32 = f32(_S370);
+    var _S372 : u32 = index_28 / params_0.sky_edge_0;
+    var place_6 : vec2<f32> = vec2<f32>(_S371, f32(_S372)) + vec2<f32>(min(_S367 - _S369, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_6 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_6), pdf_12);
     return true;
 }
@@ -5835,17 +5846,17 @@ fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S376 : bool;
+    var _S373 : bool;
     if(SKY_0 != u32(1))
     {
-        _S376 = true;
+        _S373 = true;
     }
     else
     {
-        var _S377 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S376 = !_S377;
+        var _S374 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S373 = !_S374;
     }
-    if(_S376)
+    if(_S373)
     {
         return false;
     }
@@ -5870,7 +5881,7 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S378 : LightNode_0 = node_13;
+        var _S375 : LightNode_0 = node_13;
         if((node_13.parent_0) != u32(4294967295))
         {
         }
@@ -5878,59 +5889,49 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S378.parent_0);
-        var _S379 : u32 = _S378.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S379;
-        var _S380 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S375.parent_0);
+        var _S376 : u32 = _S375.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S376;
+        var _S377 : u32;
         if(is_left_4)
         {
-            _S380 = parent_2.index_11;
+            _S377 = parent_2.index_11;
+        }
+        else
+        {
+            _S377 = _S376;
+        }
+        var own_4 : View_0 = view_0(node_13, receiver_22);
+        var other_3 : View_0 = view_0(top_light_node_0(_S377), receiver_22);
+        var weights_3 : vec2<f32>;
+        if(is_left_4)
+        {
+            weights_3 = weights_of_views_0(own_4, other_3);
+        }
+        else
+        {
+            weights_3 = weights_of_views_0(other_3, own_4);
+        }
+        var _S378 : f32 = weights_3.x;
+        var _S379 : f32 = weights_3.y;
+        var total_6 : f32 = _S378 + _S379;
+        if(!(total_6 > 0.0f))
+        {
+            return false;
+        }
+        var _S380 : f32;
+        if(is_left_4)
+        {
+            _S380 = _S378;
         }
         else
         {
             _S380 = _S379;
         }
-        var _S381 : View_0 = view_0(node_13, receiver_22);
-        var _S382 : View_0 = view_0(top_light_node_0(_S380), receiver_22);
-        var _S383 : f32;
-        if(is_left_4)
-        {
-            _S383 = _S381.importance_0;
-        }
-        else
-        {
-            _S383 = _S382.importance_0;
-        }
-        var _S384 : f32;
-        if(is_left_4)
-        {
-            _S384 = _S382.importance_0;
-        }
-        else
-        {
-            _S384 = _S381.importance_0;
-        }
-        var weights_3 : vec2<f32> = weights_of_0(_S383, _S384);
-        var _S385 : f32 = weights_3.x;
-        var _S386 : f32 = weights_3.y;
-        var total_6 : f32 = _S385 + _S386;
-        if(!(total_6 > 0.0f))
-        {
-            return false;
-        }
-        var _S387 : f32;
-        if(is_left_4)
-        {
-            _S387 = _S385;
-        }
-        else
-        {
-            _S387 = _S386;
-        }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S387;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S380;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_13 = parent_2;
-        at_8 = _S378.parent_0;
+        at_8 = _S375.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5939,16 +5940,16 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S388 : bool;
+        var _S381 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S388 = !(*descent_5).is_far_3;
+            _S381 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S388 = false;
+            _S381 = false;
         }
-        if(_S388)
+        if(_S381)
         {
         }
         else
@@ -5959,32 +5960,32 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         {
             return false;
         }
-        var left_4 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
-        var right_3 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
-        var weights_4 : vec2<f32> = weights_of_0(view_0(left_4, receiver_23).importance_0, view_0(right_3, receiver_23).importance_0);
-        var _S389 : f32 = weights_4.x;
-        var _S390 : f32 = weights_4.y;
-        var total_7 : f32 = _S389 + _S390;
+        var left_5 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
+        var right_4 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
+        var weights_4 : vec2<f32> = weights_of_views_0(view_0(left_5, receiver_23), view_0(right_4, receiver_23));
+        var _S382 : f32 = weights_4.x;
+        var _S383 : f32 = weights_4.y;
+        var total_7 : f32 = _S382 + _S383;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S391 : bool;
-        if(_S390 <= 0.0f)
+        var _S384 : bool;
+        if(_S383 <= 0.0f)
         {
-            _S391 = true;
+            _S384 = true;
         }
         else
         {
-            _S391 = ((*descent_5).choice_0 * total_7) < (_S389 * (*descent_5).weight_0);
+            _S384 = ((*descent_5).choice_0 * total_7) < (_S382 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S392 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S392 >= (vector_of_0(left_4.min_1))))))
+            var _S385 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S385 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_5 = (all((_S392 < (vector_of_0(left_4.max_1)))));
+                is_left_5 = (all((_S385 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5993,63 +5994,63 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S391;
+            is_left_5 = _S384;
         }
-        var _S393 : f32 = (*descent_5).choice_0 * total_7;
-        var _S394 : f32;
+        var _S386 : f32 = (*descent_5).choice_0 * total_7;
+        var _S387 : f32;
         if(is_left_5)
         {
-            _S394 = 0.0f;
+            _S387 = 0.0f;
         }
         else
         {
-            _S394 = _S389 * (*descent_5).weight_0;
+            _S387 = _S382 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S393 - _S394;
-        var _S395 : u32;
+        (*descent_5).choice_0 = _S386 - _S387;
+        var _S388 : u32;
         if(is_left_5)
         {
-            _S395 = (*descent_5).node_3 + u32(1);
+            _S388 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S395 = (*descent_5).index_15;
+            _S388 = (*descent_5).index_15;
         }
-        (*descent_5).node_3 = _S395;
-        var _S396 : u32;
+        (*descent_5).node_3 = _S388;
+        var _S389 : u32;
         if(is_left_5)
         {
-            _S396 = left_4.index_11;
+            _S389 = left_5.index_11;
         }
         else
         {
-            _S396 = right_3.index_11;
+            _S389 = right_4.index_11;
         }
-        (*descent_5).index_15 = _S396;
-        var _S397 : u32;
+        (*descent_5).index_15 = _S389;
+        var _S390 : u32;
         if(is_left_5)
         {
-            _S397 = left_4.count_1;
+            _S390 = left_5.count_1;
         }
         else
         {
-            _S397 = right_3.count_1;
+            _S390 = right_4.count_1;
         }
-        (*descent_5).count_2 = _S397;
+        (*descent_5).count_2 = _S390;
         (*descent_5).is_far_3 = false;
-        var _S398 : f32;
+        var _S391 : f32;
         if(is_left_5)
         {
-            _S398 = _S389;
+            _S391 = _S382;
         }
         else
         {
-            _S398 = _S390;
+            _S391 = _S383;
         }
-        var _S399 : f32 = (*descent_5).weight_0 * _S398;
-        (*descent_5).weight_0 = _S399;
+        var _S392 : f32 = (*descent_5).weight_0 * _S391;
+        (*descent_5).weight_0 = _S392;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S399 <= 0.0f)
+        if(_S392 <= 0.0f)
         {
             return false;
         }
@@ -6071,16 +6072,16 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S400 : bool;
+        var _S393 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S400 = !(*descent_6).is_far_3;
+            _S393 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S400 = false;
+            _S393 = false;
         }
-        if(_S400)
+        if(_S393)
         {
         }
         else
@@ -6091,34 +6092,34 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         {
             return false;
         }
-        var left_5 : LightNode_0 = GridLights_node_0((*descent_6).node_3 + u32(1));
-        var right_4 : LightNode_0 = GridLights_node_0((*descent_6).index_15);
-        var of_left_1 : View_0 = view_0(left_5, receiver_24);
-        var of_right_1 : View_0 = view_0(right_4, receiver_24);
-        var weights_5 : vec2<f32> = weights_of_0(of_left_1.importance_0, of_right_1.importance_0);
-        var _S401 : f32 = weights_5.x;
-        var _S402 : f32 = weights_5.y;
-        var total_8 : f32 = _S401 + _S402;
+        var left_6 : LightNode_0 = GridLights_node_0((*descent_6).node_3 + u32(1));
+        var right_5 : LightNode_0 = GridLights_node_0((*descent_6).index_15);
+        var of_left_1 : View_0 = view_0(left_6, receiver_24);
+        var of_right_1 : View_0 = view_0(right_5, receiver_24);
+        var weights_5 : vec2<f32> = weights_of_views_0(of_left_1, of_right_1);
+        var _S394 : f32 = weights_5.x;
+        var _S395 : f32 = weights_5.y;
+        var total_8 : f32 = _S394 + _S395;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S403 : bool;
-        if(_S402 <= 0.0f)
+        var _S396 : bool;
+        if(_S395 <= 0.0f)
         {
-            _S403 = true;
+            _S396 = true;
         }
         else
         {
-            _S403 = ((*descent_6).choice_0 * total_8) < (_S401 * (*descent_6).weight_0);
+            _S396 = ((*descent_6).choice_0 * total_8) < (_S394 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S404 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S404 >= (vector_of_0(left_5.min_1))))))
+            var _S397 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S397 >= (vector_of_0(left_6.min_1))))))
             {
-                is_left_6 = (all((_S404 < (vector_of_0(left_5.max_1)))));
+                is_left_6 = (all((_S397 < (vector_of_0(left_6.max_1)))));
             }
             else
             {
@@ -6127,72 +6128,72 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S403;
+            is_left_6 = _S396;
         }
-        var _S405 : f32 = (*descent_6).choice_0 * total_8;
-        var _S406 : f32;
+        var _S398 : f32 = (*descent_6).choice_0 * total_8;
+        var _S399 : f32;
         if(is_left_6)
         {
-            _S406 = 0.0f;
+            _S399 = 0.0f;
         }
         else
         {
-            _S406 = _S401 * (*descent_6).weight_0;
+            _S399 = _S394 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S405 - _S406;
-        var _S407 : u32;
+        (*descent_6).choice_0 = _S398 - _S399;
+        var _S400 : u32;
         if(is_left_6)
         {
-            _S407 = (*descent_6).node_3 + u32(1);
+            _S400 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S407 = (*descent_6).index_15;
+            _S400 = (*descent_6).index_15;
         }
-        (*descent_6).node_3 = _S407;
-        var _S408 : u32;
+        (*descent_6).node_3 = _S400;
+        var _S401 : u32;
         if(is_left_6)
         {
-            _S408 = left_5.index_11;
+            _S401 = left_6.index_11;
         }
         else
         {
-            _S408 = right_4.index_11;
+            _S401 = right_5.index_11;
         }
-        (*descent_6).index_15 = _S408;
-        var _S409 : u32;
+        (*descent_6).index_15 = _S401;
+        var _S402 : u32;
         if(is_left_6)
         {
-            _S409 = left_5.count_1;
+            _S402 = left_6.count_1;
         }
         else
         {
-            _S409 = right_4.count_1;
+            _S402 = right_5.count_1;
         }
-        (*descent_6).count_2 = _S409;
-        var _S410 : bool;
+        (*descent_6).count_2 = _S402;
+        var _S403 : bool;
         if(is_left_6)
         {
-            _S410 = of_left_1.is_far_0;
+            _S403 = of_left_1.is_far_0;
         }
         else
         {
-            _S410 = of_right_1.is_far_0;
+            _S403 = of_right_1.is_far_0;
         }
-        (*descent_6).is_far_3 = _S410;
-        var _S411 : f32;
+        (*descent_6).is_far_3 = _S403;
+        var _S404 : f32;
         if(is_left_6)
         {
-            _S411 = _S401;
+            _S404 = _S394;
         }
         else
         {
-            _S411 = _S402;
+            _S404 = _S395;
         }
-        var _S412 : f32 = (*descent_6).weight_0 * _S411;
-        (*descent_6).weight_0 = _S412;
+        var _S405 : f32 = (*descent_6).weight_0 * _S404;
+        (*descent_6).weight_0 = _S405;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S412 <= 0.0f)
+        if(_S405 <= 0.0f)
         {
             return false;
         }
@@ -6203,29 +6204,27 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
     var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S413 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S414 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S415 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S413 - _S414) * _S415;
-    var toward_3 : vec3<f32> = (_S414 + _S413) * _S415 - point_7;
-    var sent_2 : BySide_0 = sent_by_side_0(node_15, point_7, length_bound_0(select(half_3, abs(toward_3), vec3<bool>(((length_squared_0(toward_3)) > (length_squared_0(half_3)))))));
+    var _S406 : vec3<f32> = vector_of_0(node_15.max_1);
+    var _S407 : vec3<f32> = vector_of_0(node_15.min_1);
+    var _S408 : vec3<f32> = vec3<f32>(0.5f);
+    var sent_2 : BySide_0 = sent_by_side_0(node_15, point_7, length_bound_0(reach_of_0((_S407 + _S406) * _S408 - point_7, (_S406 - _S407) * _S408)));
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S416 : f32 = way_6.choice_0 * total_9;
-    var _S417 : u32 = (*side_4);
+    var _S409 : f32 = way_6.choice_0 * total_9;
+    var _S410 : u32 = (*side_4);
     var share_8 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
-    var _S418 : bool;
+    var _S411 : bool;
     if(is_met_3)
     {
-        _S418 = u32(0) == _S417;
+        _S411 = u32(0) == _S410;
     }
     else
     {
-        _S418 = share_8 > 0.0f;
+        _S411 = share_8 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S418)
+    if(_S411)
     {
         (*side_4) = u32(0);
         chosen_8 = share_8;
@@ -6234,145 +6233,145 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S419 : bool = _S416 < (share_8 * way_6.weight_0);
+    var _S412 : bool = _S409 < (share_8 * way_6.weight_0);
     var share_9 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S418 = u32(1) == _S417;
+        _S411 = u32(1) == _S410;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S418 = !_S419;
+            _S411 = !_S412;
         }
         else
         {
-            _S418 = false;
+            _S411 = false;
         }
     }
-    if(_S418)
+    if(_S411)
     {
         (*side_4) = u32(1);
         chosen_8 = share_9;
     }
     var passed_4 : f32 = share_8 + share_9;
-    if(_S419)
+    if(_S412)
     {
-        _S418 = true;
+        _S411 = true;
     }
     else
     {
-        _S418 = _S416 < (passed_4 * way_6.weight_0);
+        _S411 = _S409 < (passed_4 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
-    var _S420 : bool;
+    var _S413 : bool;
     if(is_met_3)
     {
-        _S420 = u32(2) == _S417;
+        _S413 = u32(2) == _S410;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S420 = !_S418;
+            _S413 = !_S411;
         }
         else
         {
-            _S420 = false;
+            _S413 = false;
         }
     }
-    if(_S420)
+    if(_S413)
     {
         (*side_4) = u32(2);
         chosen_8 = share_10;
     }
     var passed_5 : f32 = passed_4 + share_10;
-    if(_S418)
+    if(_S411)
     {
-        _S418 = true;
+        _S411 = true;
     }
     else
     {
-        _S418 = _S416 < (passed_5 * way_6.weight_0);
+        _S411 = _S409 < (passed_5 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S420 = u32(3) == _S417;
+        _S413 = u32(3) == _S410;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S420 = !_S418;
+            _S413 = !_S411;
         }
         else
         {
-            _S420 = false;
+            _S413 = false;
         }
     }
-    if(_S420)
+    if(_S413)
     {
         (*side_4) = u32(3);
         chosen_8 = share_11;
     }
     var passed_6 : f32 = passed_5 + share_11;
-    if(_S418)
+    if(_S411)
     {
-        _S418 = true;
+        _S411 = true;
     }
     else
     {
-        _S418 = _S416 < (passed_6 * way_6.weight_0);
+        _S411 = _S409 < (passed_6 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S420 = u32(4) == _S417;
+        _S413 = u32(4) == _S410;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S420 = !_S418;
+            _S413 = !_S411;
         }
         else
         {
-            _S420 = false;
+            _S413 = false;
         }
     }
-    if(_S420)
+    if(_S413)
     {
         (*side_4) = u32(4);
         chosen_8 = share_12;
     }
     var passed_7 : f32 = passed_6 + share_12;
-    if(_S418)
+    if(_S411)
     {
-        _S418 = true;
+        _S411 = true;
     }
     else
     {
-        _S418 = _S416 < (passed_7 * way_6.weight_0);
+        _S411 = _S409 < (passed_7 * way_6.weight_0);
     }
     var share_13 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S418 = u32(5) == _S417;
+        _S411 = u32(5) == _S410;
     }
     else
     {
         if(share_13 > 0.0f)
         {
-            _S418 = !_S418;
+            _S411 = !_S411;
         }
         else
         {
-            _S418 = false;
+            _S411 = false;
         }
     }
-    if(_S418)
+    if(_S411)
     {
         (*side_4) = u32(5);
         chosen_8 = share_13;
@@ -6380,13 +6379,13 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S418 = ((*odds_3).x) > 0.0f;
+        _S411 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S418 = false;
+        _S411 = false;
     }
-    return _S418;
+    return _S411;
 }
 
 fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6398,45 +6397,45 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S421 : bool;
+    var _S414 : bool;
     if(!IS_SINGLE_0)
     {
-        _S421 = aim_7.is_met_0;
+        _S414 = aim_7.is_met_0;
     }
     else
     {
-        _S421 = false;
+        _S414 = false;
     }
-    if(_S421)
+    if(_S414)
     {
-        var _S422 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S422.light_leaf_0) == u32(4294967295))
+        var _S415 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S415.light_leaf_0) == u32(4294967295))
         {
-            _S421 = true;
+            _S414 = true;
         }
         else
         {
-            var _S423 : bool = climb_1(receiver_25, _S422.light_leaf_0, &(descent_7));
-            _S421 = !_S423;
+            var _S416 : bool = climb_1(receiver_25, _S415.light_leaf_0, &(descent_7));
+            _S414 = !_S416;
         }
-        if(_S421)
+        if(_S414)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S422.light_leaf_0);
+        Descent_at_2(&(descent_7), _S415.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S424 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
-            _S421 = !_S424;
+            var _S417 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
+            _S414 = !_S417;
         }
         else
         {
-            _S421 = false;
+            _S414 = false;
         }
-        if(_S421)
+        if(_S414)
         {
             return false;
         }
@@ -6444,35 +6443,35 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_25);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S425 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S425)
+    var _S418 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S418)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S426 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S426)
+    var _S419 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S419)
     {
         return false;
     }
     var power_9 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S427 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S420 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S428 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S427.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S428;
-        return _S428 > 0.0f;
+        var _S421 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S420.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S421;
+        return _S421 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_9);
-    var _S429 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S429, side_5, u_22.z, u_22.w);
+    var _S422 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S422, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_9, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S427.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S427.grid_from_world_0.translation_0), _S429, side_5, on_face_1)) - receiver_25.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S420.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S420.grid_from_world_0.translation_0), _S422, side_5, on_face_1)) - receiver_25.point_0;
     var cos_theta_9 : f32 = with_slack_0(receiver_25, divide_0(dot_product_0(receiver_25.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_25.point_0, 0.0f, direction_29, 1.0f), cos_theta_9, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_9 > 0.0f;
@@ -6480,8 +6479,8 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_26 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S430 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
-    return _S430;
+    var _S423 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
+    return _S423;
 }
 
 fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6505,9 +6504,9 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S431 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
+        var _S424 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S431;
+        is_found_11 = _S424;
     }
     else
     {
@@ -6529,15 +6528,15 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S432 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S425 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S432;
+            is_found_11 = _S425;
         }
         else
         {
-            var _S433 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S426 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S433;
+            is_found_11 = _S426;
         }
     }
     return is_found_11;
@@ -6557,8 +6556,8 @@ fn Diffuse_sample_1( this_55 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_56 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S434 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
-    return _S434;
+    var _S427 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
+    return _S427;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6653,7 +6652,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S435 : vec3<f32> = vec3<f32>(0.0f);
+    var _S428 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6661,12 +6660,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     else
     {
-        le_3 = _S435;
+        le_3 = _S428;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S436 : bool = weighs_apart_0();
-    if(_S436)
+    var _S429 : bool = weighs_apart_0();
+    if(_S429)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6694,7 +6693,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S436)
+        if(!_S429)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6704,15 +6703,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S437 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S437;
+            var _S430 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S430;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S438 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S439 : f32 = (*path_11).pdf_1;
+        var _S431 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S432 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6721,13 +6720,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S438 * vec3<f32>(mis_weight_0(_S439, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S431 * vec3<f32>(mis_weight_0(_S432, light_pdf_2));
     }
-    var _S440 : f32 = ior_of_0((*path_11).inside_0);
-    var _S441 : f32 = u_27[i32(3)];
-    var _S442 : MaterialBsdf_0 = bsdf_of_1(material_15, _S440, &(_S441));
-    u_27[i32(3)] = _S441;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S442);
+    var _S433 : f32 = ior_of_0((*path_11).inside_0);
+    var _S434 : f32 = u_27[i32(3)];
+    var _S435 : MaterialBsdf_0 = bsdf_of_1(material_15, _S433, &(_S434));
+    u_27[i32(3)] = _S434;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S435);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6736,8 +6735,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S443 : bool = !is_weighed_1;
-    if(_S443)
+    var _S436 : bool = !is_weighed_1;
+    if(_S436)
     {
         if(is_chosen_1)
         {
@@ -6757,7 +6756,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S443)
+    if(_S436)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6779,19 +6778,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_24, at_9);
-    var _S444 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
-    var _S445 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S445);
+    var _S437 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
+    var _S438 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S438);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S446 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S446;
-        var _S447 : vec3<f32> = normalize_vector_0(_S445);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S446, ray_24, t_16), _S435);
-        wo_11 = _S447;
+        var _S439 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S439;
+        var _S440 : vec3<f32> = normalize_vector_0(_S438);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S439, ray_24, t_16), _S428);
+        wo_11 = _S440;
     }
     else
     {
@@ -6801,7 +6800,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_28 = _S444;
+        receiver_28 = _S437;
         wo_11 = wo_10;
     }
     next_3.origin_9 = receiver_28.point_0;
@@ -6810,13 +6809,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         receiver_28 = last_6;
     }
-    if(_S443)
+    if(_S436)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S448 : bool = !MaterialBsdf_is_delta_0(_S442);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S442, wo_11, compensation_3, is_scattered_3, _S448);
+    var _S441 : bool = !MaterialBsdf_is_delta_0(_S435);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S435, wo_11, compensation_3, is_scattered_3, _S441);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6833,8 +6832,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S449 : bool = MaterialBsdf_sample_1(_S442, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S449)
+    var _S442 : bool = MaterialBsdf_sample_1(_S435, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S442)
     {
         return next_3;
     }
@@ -6861,56 +6860,56 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
 
 fn show_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S450 : Path_0 = path_12;
+    var _S443 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S450.inside_0))
+    if(Inside_is_in_0(_S443.inside_0))
     {
-        absorb_1(&(_S450), _S450.inside_0, ray_25, hit_17.t_0);
+        absorb_1(&(_S443), _S443.inside_0, ray_25, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S450, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S443, hit_17, beyond_9);
     (*sample_19).normal_1 = in_ten_bits_0(shading_normal_0(ray_25, hit_17, material_16));
-    (*sample_19).albedo_0 = _S450.beta_0 * albedo_of_0(material_16);
+    (*sample_19).albedo_0 = _S443.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S451 : bool;
+    var _S444 : bool;
     if((*this_57).sees_mover_0)
     {
-        _S451 = true;
+        _S444 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_18))
         {
-            _S451 = is_mover_0(hit_18.instance_0);
+            _S444 = is_mover_0(hit_18.instance_0);
         }
         else
         {
-            _S451 = false;
+            _S444 = false;
         }
     }
-    (*this_57).sees_mover_0 = _S451;
-    var _S452 : bool = ((*this_57).path_0.bounce_0) == u32(0);
+    (*this_57).sees_mover_0 = _S444;
+    var _S445 : bool = ((*this_57).path_0.bounce_0) == u32(0);
     if(goes_on_3)
     {
-        _S451 = _S452;
+        _S444 = _S445;
     }
     else
     {
-        _S451 = false;
+        _S444 = false;
     }
-    var _S453 : bool = !_S451;
-    (*this_57).has_shown_0 = _S453;
-    if(!_S453)
+    var _S446 : bool = !_S444;
+    (*this_57).has_shown_0 = _S446;
+    if(!_S446)
     {
         (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
     }
     else
     {
-        var _S454 : u32;
+        var _S447 : u32;
         if(!Hit_is_miss_0(hit_18))
         {
             show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, &((*sample_20)));
@@ -6919,31 +6918,31 @@ fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18
             {
                 if((*this_57).sees_mover_0)
                 {
-                    _S454 = u32(4294967295);
+                    _S447 = u32(4294967295);
                 }
                 else
                 {
-                    _S454 = u32(4294967294);
+                    _S447 = u32(4294967294);
                 }
             }
             else
             {
-                _S454 = hit_18.instance_0;
+                _S447 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S454;
+            (*sample_20).instance_7 = _S447;
         }
         else
         {
             (*sample_20).albedo_0 = vec3<f32>(0.0f);
             if((*this_57).sees_mover_0)
             {
-                _S454 = u32(4294967295);
+                _S447 = u32(4294967295);
             }
             else
             {
-                _S454 = u32(4294967294);
+                _S447 = u32(4294967294);
             }
-            (*sample_20).instance_7 = _S454;
+            (*sample_20).instance_7 = _S447;
         }
     }
     return;
@@ -6974,18 +6973,18 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S455 : vec4<f32>;
+        var _S448 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S455 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S448 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S455 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S448 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S455;
-        var _S456 : bool = count_6 > u32(1);
-        if(_S456)
+        u_28 = _S448;
+        var _S449 : bool = count_6 > u32(1);
+        if(_S449)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
@@ -6996,7 +6995,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S457 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
+        var _S450 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -7004,41 +7003,41 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S457;
+            wi_7 = _S450;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S458 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_9 : f32 = luminance_0(_S458);
-        var _S459 : bool;
+        var _S451 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_9 : f32 = luminance_0(_S451);
+        var _S452 : bool;
         if(weighs_candidates_0)
         {
-            _S459 = _S456;
+            _S452 = _S449;
         }
         else
         {
-            _S459 = false;
+            _S452 = false;
         }
         var weight_10 : f32;
-        if(_S459)
+        if(_S452)
         {
-            var _S460 : f32 = visibility_0(light_11.ray_13);
-            weight_10 = weight_9 * _S460;
+            var _S453 : f32 = visibility_0(light_11.ray_13);
+            weight_10 = weight_9 * _S453;
         }
         else
         {
             weight_10 = weight_9;
         }
         var sum_8 : f32 = sum_7 + weight_10;
-        var _S461 : bool;
-        if(_S456)
+        var _S454 : bool;
+        if(_S449)
         {
-            _S461 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
+            _S454 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
         }
         else
         {
-            _S461 = false;
+            _S454 = false;
         }
-        if(_S461)
+        if(_S454)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -7049,7 +7048,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_13.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_13.t_max_0;
-            (*next_4).light_2 = _S458;
+            (*next_4).light_2 = _S451;
             chosen_10 = weight_10;
         }
         else
@@ -7060,9 +7059,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S462 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S462;
-    if(_S462)
+    var _S455 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S455;
+    if(_S455)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -7072,7 +7071,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
-    var _S463 : bool = (*at_10).is_at_cell_0;
+    var _S456 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
@@ -7083,8 +7082,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S464 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S464;
+        var _S457 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S457;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -7095,8 +7094,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S465 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S465;
+            var _S458 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S458;
         }
         else
         {
@@ -7104,12 +7103,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S464;
-        var _S466 : Path_0 = (*at_10).path_0;
-        var _S467 : NextRays_0 = PathTracingOf_advance_1(&(_S466), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S466;
-        next_5 = _S467;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S464)));
+        var emitted_4 : vec3<f32> = _S457;
+        var _S459 : Path_0 = (*at_10).path_0;
+        var _S460 : NextRays_0 = PathTracingOf_advance_1(&(_S459), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S459;
+        next_5 = _S460;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S457)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -7124,44 +7123,44 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if(!_S463)
+    if(!_S456)
     {
-        var _S468 : bool;
+        var _S461 : bool;
         if(counts_arrivals_0)
         {
-            _S468 = next_5.has_shadow_ray_0;
+            _S461 = next_5.has_shadow_ray_0;
         }
         else
         {
-            _S468 = false;
+            _S461 = false;
         }
-        if(_S468)
+        if(_S461)
         {
-            _S468 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S461 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S468 = false;
+            _S461 = false;
         }
-        if(_S468)
+        if(_S461)
         {
-            _S468 = !scatter_of_path_0.is_scattered_0;
+            _S461 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S468 = false;
+            _S461 = false;
         }
-        if(_S468)
+        if(_S461)
         {
-            _S468 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S461 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S468 = false;
+            _S461 = false;
         }
-        (*at_10).counts_0 = _S468;
+        (*at_10).counts_0 = _S461;
     }
-    if(_S463)
+    if(_S456)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -7280,7 +7279,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S469 : vec3<f32> = vec3<f32>(0.0f);
+    var _S462 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7288,12 +7287,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     else
     {
-        le_5 = _S469;
+        le_5 = _S462;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_26.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S470 : bool = weighs_apart_0();
-    if(_S470)
+    var _S463 : bool = weighs_apart_0();
+    if(_S463)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7321,7 +7320,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S470)
+        if(!_S463)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7331,15 +7330,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S471 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S471;
+            var _S464 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S464;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S472 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S473 : f32 = (*path_13).pdf_1;
+        var _S465 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S466 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7348,13 +7347,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S472 * vec3<f32>(mis_weight_0(_S473, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S465 * vec3<f32>(mis_weight_0(_S466, light_pdf_3));
     }
-    var _S474 : f32 = ior_of_0((*path_13).inside_0);
-    var _S475 : f32 = u_29[i32(3)];
-    var _S476 : MaterialBsdf_0 = bsdf_of_1(material_17, _S474, &(_S475));
-    u_29[i32(3)] = _S475;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S476);
+    var _S467 : f32 = ior_of_0((*path_13).inside_0);
+    var _S468 : f32 = u_29[i32(3)];
+    var _S469 : MaterialBsdf_0 = bsdf_of_1(material_17, _S467, &(_S468));
+    u_29[i32(3)] = _S468;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S469);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7363,8 +7362,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S477 : bool = !is_weighed_2;
-    if(_S477)
+    var _S470 : bool = !is_weighed_2;
+    if(_S470)
     {
         if(is_chosen_2)
         {
@@ -7384,7 +7383,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S477)
+    if(_S470)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7406,19 +7405,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_26, at_11);
-    var _S478 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
-    var _S479 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S479);
+    var _S471 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
+    var _S472 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S472);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_29 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S480 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S480;
-        var _S481 : vec3<f32> = normalize_vector_0(_S479);
-        receiver_29 = Receiver_x24init_0(Inside_point_0(_S480, ray_26, t_17), _S469);
-        wo_13 = _S481;
+        var _S473 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S473;
+        var _S474 : vec3<f32> = normalize_vector_0(_S472);
+        receiver_29 = Receiver_x24init_0(Inside_point_0(_S473, ray_26, t_17), _S462);
+        wo_13 = _S474;
     }
     else
     {
@@ -7428,7 +7427,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_29 = _S478;
+        receiver_29 = _S471;
         wo_13 = wo_12;
     }
     next_6.origin_9 = receiver_29.point_0;
@@ -7437,13 +7436,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         receiver_29 = last_7;
     }
-    if(_S477)
+    if(_S470)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_29);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S482 : bool = !MaterialBsdf_is_delta_0(_S476);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S476, wo_13, compensation_4, is_scattered_4, _S482);
+    var _S475 : bool = !MaterialBsdf_is_delta_0(_S469);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S469, wo_13, compensation_4, is_scattered_4, _S475);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7460,8 +7459,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S483 : bool = MaterialBsdf_sample_1(_S476, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S483)
+    var _S476 : bool = MaterialBsdf_sample_1(_S469, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S476)
     {
         return next_6;
     }
@@ -7489,7 +7488,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
-    var _S484 : bool = (*at_12).is_at_cell_0;
+    var _S477 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
@@ -7500,8 +7499,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S485 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S485;
+        var _S478 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S478;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7512,8 +7511,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S486 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S486;
+            var _S479 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S479;
         }
         else
         {
@@ -7521,12 +7520,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S485;
-        var _S487 : Path_0 = (*at_12).path_0;
-        var _S488 : NextRays_0 = PathTracingOf_advance_1(&(_S487), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S487;
-        next_7 = _S488;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S485)));
+        var emitted_5 : vec3<f32> = _S478;
+        var _S480 : Path_0 = (*at_12).path_0;
+        var _S481 : NextRays_0 = PathTracingOf_advance_1(&(_S480), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S480;
+        next_7 = _S481;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S478)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7537,7 +7536,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if(_S484)
+    if(_S477)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7579,22 +7578,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S489 : u32 = u32(2) * index_30;
-    var _S490 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S489);
-    var _S491 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S489 + u32(1));
+    var _S482 : u32 = u32(2) * index_30;
+    var _S483 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S482);
+    var _S484 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S482 + u32(1));
     var node_16 : InstanceNode_0;
-    var _S492 : f32 = (bitcast<f32>((_S490.y)));
-    var _S493 : f32 = (bitcast<f32>((_S490.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((_S490.x)));
-    node_16.min_2[i32(1)] = _S492;
-    node_16.min_2[i32(2)] = _S493;
-    node_16.index_29 = _S490.w;
-    var _S494 : f32 = (bitcast<f32>((_S491.y)));
-    var _S495 : f32 = (bitcast<f32>((_S491.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((_S491.x)));
-    node_16.max_2[i32(1)] = _S494;
-    node_16.max_2[i32(2)] = _S495;
-    node_16.is_leaf_0 = _S491.w;
+    var _S485 : f32 = (bitcast<f32>((_S483.y)));
+    var _S486 : f32 = (bitcast<f32>((_S483.z)));
+    node_16.min_2[i32(0)] = (bitcast<f32>((_S483.x)));
+    node_16.min_2[i32(1)] = _S485;
+    node_16.min_2[i32(2)] = _S486;
+    node_16.index_29 = _S483.w;
+    var _S487 : f32 = (bitcast<f32>((_S484.y)));
+    var _S488 : f32 = (bitcast<f32>((_S484.z)));
+    node_16.max_2[i32(0)] = (bitcast<f32>((_S484.x)));
+    node_16.max_2[i32(1)] = _S487;
+    node_16.max_2[i32(2)] = _S488;
+    node_16.is_leaf_0 = _S484.w;
     return node_16;
 }
 
@@ -7602,17 +7601,17 @@ fn entry_0( node_17 : InstanceNode_0,  ray_27 : Ray_0,  inverse_3 : vec3<f32>) -
 {
     var low_16 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_27.origin_0) * inverse_3;
     var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_27.origin_0) * inverse_3;
-    var _S496 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
-    var _S497 : f32;
-    if(_S496 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
+    var _S489 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
+    var _S490 : f32;
+    if(_S489 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
     {
-        _S497 = _S496;
+        _S490 = _S489;
     }
     else
     {
-        _S497 = (bitcast<f32>(infinity_bits_0));
+        _S490 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S497;
+    return _S490;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
@@ -7620,8 +7619,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S498 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S498;
+        var _S491 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S491;
     }
     var ray_28 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -7630,15 +7629,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S499 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S492 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S500 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S501 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S493 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S494 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S501;
+    var is_leaf_2 : bool = _S494;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S500.index_29;
+    var below_1 : u32 = _S493.index_29;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -7648,16 +7647,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S502 : bool;
+            var _S495 : bool;
             if(is_done_1)
             {
-                _S502 = depth_1 > u32(0);
+                _S495 = depth_1 > u32(0);
             }
             else
             {
-                _S502 = !is_leaf_2;
+                _S495 = !is_leaf_2;
             }
-            if(_S502)
+            if(_S495)
             {
             }
             else
@@ -7668,25 +7667,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S503 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S504 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S496 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S497 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_28.t_max_0);
-                is_leaf_1 = _S504;
+                is_leaf_1 = _S497;
                 index_32 = stack_0[depth_2];
-                below_2 = _S503.index_29;
+                below_2 = _S496.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S505 : u32 = index_31 + u32(1);
-                var _S506 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S505);
-                var _S507 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S506, ray_28, _S499);
-                var to_right_0 : f32 = entry_0(_S507, ray_28, _S499);
+                var _S498 : u32 = index_31 + u32(1);
+                var _S499 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S498);
+                var _S500 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S499, ray_28, _S492);
+                var to_right_0 : f32 = entry_0(_S500, ray_28, _S492);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S508 : f32 = max(to_left_0, to_right_0);
+                var _S501 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S508 < INFINITY_0)
+                if(_S501 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7694,51 +7693,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_32 = _S505;
+                        index_32 = _S498;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S508;
+                    entries_0[depth_1] = _S501;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S509 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S510 : u32;
+                var _S502 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S503 : u32;
                 if(is_left_7)
                 {
-                    _S510 = _S505;
+                    _S503 = _S498;
                 }
                 else
                 {
-                    _S510 = below_2;
+                    _S503 = below_2;
                 }
-                var _S511 : u32;
+                var _S504 : u32;
                 if(is_left_7)
                 {
-                    _S511 = _S506.index_29;
+                    _S504 = _S499.index_29;
                 }
                 else
                 {
-                    _S511 = _S507.index_29;
+                    _S504 = _S500.index_29;
                 }
-                var _S512 : u32;
+                var _S505 : u32;
                 if(is_left_7)
                 {
-                    _S512 = _S506.is_leaf_0;
+                    _S505 = _S499.is_leaf_0;
                 }
                 else
                 {
-                    _S512 = _S507.is_leaf_0;
+                    _S505 = _S500.is_leaf_0;
                 }
-                var _S513 : bool = _S512 != u32(0);
-                var _S514 : u32 = index_32;
-                is_done_1 = _S509;
-                is_leaf_1 = _S513;
-                index_32 = _S510;
-                below_2 = _S511;
-                depth_1 = _S514;
+                var _S506 : bool = _S505 != u32(0);
+                var _S507 : u32 = index_32;
+                is_done_1 = _S502;
+                is_leaf_1 = _S506;
+                index_32 = _S503;
+                below_2 = _S504;
+                depth_1 = _S507;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7747,17 +7746,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         {
             break;
         }
-        var _S515 : Hit_0 = hit_in_0(below_2, &(ray_28));
-        var _S516 : Hit_0 = nearest_4;
-        if((_S515.t_0) < (nearest_4.t_0))
+        var _S508 : Hit_0 = hit_in_0(below_2, &(ray_28));
+        var _S509 : Hit_0 = nearest_4;
+        if((_S508.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S515.t_0) == (_S516.t_0))
+            if((_S508.t_0) == (_S509.t_0))
             {
-                is_leaf_1 = (_S515.instance_0) < (nearest_4.instance_0);
+                is_leaf_1 = (_S508.instance_0) < (nearest_4.instance_0);
             }
             else
             {
@@ -7766,12 +7765,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         }
         if(is_leaf_1)
         {
-            ray_28.t_max_0 = _S515.t_0;
+            ray_28.t_max_0 = _S508.t_0;
             if(is_any_enough_0)
             {
-                return _S515;
+                return _S508;
             }
-            nearest_4 = _S515;
+            nearest_4 = _S508;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -7785,8 +7784,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S517 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S517;
+        var _S510 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S510;
     }
     var ray_29 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -7795,15 +7794,15 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S518 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S511 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S519 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S520 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S512 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S513 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S520;
+    var is_leaf_4 : bool = _S513;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S519.index_29;
+    var below_3 : u32 = _S512.index_29;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
@@ -7813,16 +7812,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S521 : bool;
+            var _S514 : bool;
             if(is_done_3)
             {
-                _S521 = depth_4 > u32(0);
+                _S514 = depth_4 > u32(0);
             }
             else
             {
-                _S521 = !is_leaf_4;
+                _S514 = !is_leaf_4;
             }
-            if(_S521)
+            if(_S514)
             {
             }
             else
@@ -7833,25 +7832,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S522 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S523 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                var _S515 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S516 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
                 is_done_3 = (entries_1[depth_5]) > (ray_29.t_max_0);
-                is_leaf_3 = _S523;
+                is_leaf_3 = _S516;
                 index_34 = stack_1[depth_5];
-                below_4 = _S522.index_29;
+                below_4 = _S515.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S524 : u32 = index_33 + u32(1);
-                var _S525 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S524);
-                var _S526 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S525, ray_29, _S518);
-                var to_right_1 : f32 = entry_0(_S526, ray_29, _S518);
+                var _S517 : u32 = index_33 + u32(1);
+                var _S518 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S517);
+                var _S519 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S518, ray_29, _S511);
+                var to_right_1 : f32 = entry_0(_S519, ray_29, _S511);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S527 : f32 = max(to_left_1, to_right_1);
+                var _S520 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S527 < INFINITY_1)
+                if(_S520 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7859,51 +7858,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
                     }
                     else
                     {
-                        index_34 = _S524;
+                        index_34 = _S517;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S527;
+                    entries_1[depth_4] = _S520;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S528 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S529 : u32;
+                var _S521 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
+                var _S522 : u32;
                 if(is_left_8)
                 {
-                    _S529 = _S524;
+                    _S522 = _S517;
                 }
                 else
                 {
-                    _S529 = below_4;
+                    _S522 = below_4;
                 }
-                var _S530 : u32;
+                var _S523 : u32;
                 if(is_left_8)
                 {
-                    _S530 = _S525.index_29;
+                    _S523 = _S518.index_29;
                 }
                 else
                 {
-                    _S530 = _S526.index_29;
+                    _S523 = _S519.index_29;
                 }
-                var _S531 : u32;
+                var _S524 : u32;
                 if(is_left_8)
                 {
-                    _S531 = _S525.is_leaf_0;
+                    _S524 = _S518.is_leaf_0;
                 }
                 else
                 {
-                    _S531 = _S526.is_leaf_0;
+                    _S524 = _S519.is_leaf_0;
                 }
-                var _S532 : bool = _S531 != u32(0);
-                var _S533 : u32 = index_34;
-                is_done_3 = _S528;
-                is_leaf_3 = _S532;
-                index_34 = _S529;
-                below_4 = _S530;
-                depth_4 = _S533;
+                var _S525 : bool = _S524 != u32(0);
+                var _S526 : u32 = index_34;
+                is_done_3 = _S521;
+                is_leaf_3 = _S525;
+                index_34 = _S522;
+                below_4 = _S523;
+                depth_4 = _S526;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7912,17 +7911,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         {
             break;
         }
-        var _S534 : Hit_0 = hit_in_1(below_4, &(ray_29));
-        var _S535 : Hit_0 = nearest_6;
-        if((_S534.t_0) < (nearest_6.t_0))
+        var _S527 : Hit_0 = hit_in_1(below_4, &(ray_29));
+        var _S528 : Hit_0 = nearest_6;
+        if((_S527.t_0) < (nearest_6.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S534.t_0) == (_S535.t_0))
+            if((_S527.t_0) == (_S528.t_0))
             {
-                is_leaf_3 = (_S534.instance_0) < (nearest_6.instance_0);
+                is_leaf_3 = (_S527.instance_0) < (nearest_6.instance_0);
             }
             else
             {
@@ -7931,12 +7930,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         }
         if(is_leaf_3)
         {
-            ray_29.t_max_0 = _S534.t_0;
+            ray_29.t_max_0 = _S527.t_0;
             if(is_any_enough_1)
             {
-                return _S534;
+                return _S527;
             }
-            nearest_6 = _S534;
+            nearest_6 = _S527;
         }
         is_done_2 = true;
         below_3 = below_4;
@@ -7952,11 +7951,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S536 : Sampler_0;
-    _S536.seed_1 = seed_3;
-    _S536.pixel_0 = pixel_1;
-    _S536.sample_0 = sample_23;
-    return _S536;
+    var _S529 : Sampler_0;
+    _S529.seed_1 = seed_3;
+    _S529.pixel_0 = pixel_1;
+    _S529.sample_0 = sample_23;
+    return _S529;
 }
 
 struct Item_0
@@ -7971,14 +7970,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S537 : Item_0;
-    _S537.traces_0 = traces_1;
-    _S537.kind_2 = kind_3;
-    _S537.at_13 = at_14;
-    _S537.place_7 = place_8;
-    _S537.slot_0 = slot_1;
-    _S537.sampler_2 = sampler_3;
-    return _S537;
+    var _S530 : Item_0;
+    _S530.traces_0 = traces_1;
+    _S530.kind_2 = kind_3;
+    _S530.at_13 = at_14;
+    _S530.place_7 = place_8;
+    _S530.slot_0 = slot_1;
+    _S530.sampler_2 = sampler_3;
+    return _S530;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -8039,58 +8038,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S538 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S538;
+        var _S531 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S531;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S539 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S539);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S539 + real_time_0.number_0) & (u32(1))));
+    var _S532 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S532);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S532 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S540 : vec2<u32> = vec2<u32>(u32(5));
-    var _S541 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S540 - vec2<u32>(u32(1))) / _S540;
-    return _S541;
+    var _S533 : vec2<u32> = vec2<u32>(u32(5));
+    var _S534 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S533 - vec2<u32>(u32(1))) / _S533;
+    return _S534;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S542 : u32 = square_1 % columns_1;
-    var _S543 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S542, _S543);
-    var _S544 : vec2<u32> = vec2<u32>(u32(5));
-    var _S545 : vec2<u32> = at_16 * _S544;
-    var _S546 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S544;
-    return min(_S545 + _S546, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S535 : u32 = square_1 % columns_1;
+    var _S536 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S535, _S536);
+    var _S537 : vec2<u32> = vec2<u32>(u32(5));
+    var _S538 : vec2<u32> = at_16 * _S537;
+    var _S539 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S537;
+    return min(_S538 + _S539, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S547 : bool;
+    var _S540 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S547 = (at_17.x) < i32(params_0.width_0);
+        _S540 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S547 = false;
+        _S540 = false;
     }
-    if(_S547)
+    if(_S540)
     {
-        _S547 = (at_17.y) < i32(params_0.height_0);
+        _S540 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S547 = false;
+        _S540 = false;
     }
-    return _S547;
+    return _S540;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -8112,23 +8111,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S548 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S549 : bool = number_4 < _S548;
-        item_0.traces_0 = _S549;
-        if(_S549)
+        var _S541 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S542 : bool = number_4 < _S541;
+        item_0.traces_0 = _S542;
+        if(_S542)
         {
-            var _S550 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S550;
+            var _S543 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S543;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S551 : u32 = number_4 - cells_2;
-    var _S552 : vec2<u32> = pixel_that_traces_0(_S551);
-    item_0.at_13 = _S552;
-    var square_3 : u32 = _S551 - pixels_1;
+    var _S544 : u32 = number_4 - cells_2;
+    var _S545 : vec2<u32> = pixel_that_traces_0(_S544);
+    item_0.at_13 = _S545;
+    var square_3 : u32 = _S544 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -8157,82 +8156,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S553 : u32;
+    var _S546 : u32;
     if(is_again_0)
     {
-        _S553 = u32(3);
+        _S546 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S553 = u32(2);
+            _S546 = u32(2);
         }
         else
         {
-            _S553 = u32(1);
+            _S546 = u32(1);
         }
     }
-    item_0.kind_2 = _S553;
+    item_0.kind_2 = _S546;
     if(is_square_0)
     {
-        var _S554 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S554;
+        var _S547 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S547;
     }
-    var _S555 : bool;
+    var _S548 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S553 = real_time_0.again_0;
+            _S546 = real_time_0.again_0;
         }
         else
         {
-            _S553 = count_8;
+            _S546 = count_8;
         }
-        _S555 = square_4 < _S553;
+        _S548 = square_4 < _S546;
     }
     else
     {
-        _S555 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S548 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S555;
+    item_0.traces_0 = _S548;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S553 = u32(2);
+            _S546 = u32(2);
         }
         else
         {
-            _S553 = (frame_0 & (u32(1)));
+            _S546 = (frame_0 & (u32(1)));
         }
-        _S553 = place_of_square_0(_S553, square_4);
+        _S546 = place_of_square_0(_S546, square_4);
     }
     else
     {
-        _S553 = index_of_0(item_0.at_13);
+        _S546 = index_of_0(item_0.at_13);
     }
-    item_0.place_7 = _S553;
+    item_0.place_7 = _S546;
     if(is_square_0)
     {
-        _S553 = real_time_0.pixels_0 + square_4;
+        _S546 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S553 = item_0.place_7;
+        _S546 = item_0.place_7;
     }
-    item_0.slot_0 = _S553;
-    var _S556 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S546;
+    var _S549 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S553 = u32(3266489909);
+        _S546 = u32(3266489909);
     }
     else
     {
-        _S553 = u32(2654435769);
+        _S546 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S556 ^ (_S553)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S549 ^ (_S546)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8250,16 +8249,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S557 : CameraFrame_0;
-    _S557.lens_1 = lens_2;
-    _S557.eye_2 = eye_3;
-    _S557.corner_2 = corner_3;
-    _S557.pixel_x_1 = pixel_x_2;
-    _S557.pixel_y_1 = pixel_y_2;
-    _S557.lens_x_1 = lens_x_2;
-    _S557.lens_y_1 = lens_y_2;
-    _S557.blades_1 = blades_2;
-    return _S557;
+    var _S550 : CameraFrame_0;
+    _S550.lens_1 = lens_2;
+    _S550.eye_2 = eye_3;
+    _S550.corner_2 = corner_3;
+    _S550.pixel_x_1 = pixel_x_2;
+    _S550.pixel_y_1 = pixel_y_2;
+    _S550.lens_x_1 = lens_x_2;
+    _S550.lens_y_1 = lens_y_2;
+    _S550.blades_1 = blades_2;
+    return _S550;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8274,28 +8273,28 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S558 : Perspective_0;
-    _S558.eye_4 = eye_5;
-    _S558.corner_4 = corner_5;
-    _S558.pixel_x_3 = pixel_x_4;
-    _S558.pixel_y_3 = pixel_y_4;
-    return _S558;
+    var _S551 : Perspective_0;
+    _S551.eye_4 = eye_5;
+    _S551.corner_4 = corner_5;
+    _S551.pixel_x_3 = pixel_x_4;
+    _S551.pixel_y_3 = pixel_y_4;
+    return _S551;
 }
 
 struct Axes_0
 {
      forward_0 : vec3<f32>,
-     right_5 : vec3<f32>,
+     right_6 : vec3<f32>,
      up_0 : vec3<f32>,
 };
 
-fn Axes_x24init_0( forward_1 : vec3<f32>,  right_6 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
+fn Axes_x24init_0( forward_1 : vec3<f32>,  right_7 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S559 : Axes_0;
-    _S559.forward_0 = forward_1;
-    _S559.right_5 = right_6;
-    _S559.up_0 = up_1;
-    return _S559;
+    var _S552 : Axes_0;
+    _S552.forward_0 = forward_1;
+    _S552.right_6 = right_7;
+    _S552.up_0 = up_1;
+    return _S552;
 }
 
 struct ThinLens_0
@@ -8308,28 +8307,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S560 : ThinLens_0;
-    _S560.perspective_0 = perspective_1;
-    _S560.lens_x_3 = lens_x_4;
-    _S560.lens_y_3 = lens_y_4;
-    _S560.blades_3 = blades_4;
-    return _S560;
+    var _S553 : ThinLens_0;
+    _S553.perspective_0 = perspective_1;
+    _S553.lens_x_3 = lens_x_4;
+    _S553.lens_y_3 = lens_y_4;
+    _S553.blades_3 = blades_4;
+    return _S553;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S561 : bool;
+    var _S554 : bool;
     if(a_6 == 0.0f)
     {
-        _S561 = b_6 == 0.0f;
+        _S554 = b_6 == 0.0f;
     }
     else
     {
-        _S561 = false;
+        _S554 = false;
     }
-    if(_S561)
+    if(_S554)
     {
         return vec2<f32>(0.0f);
     }
@@ -8356,7 +8355,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S562 : f32 = abs(radius_5);
+    var _S555 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8365,7 +8364,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S562, radius_5);
+    return vec2<f32>(_S555, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8383,9 +8382,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_14 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S563 : f32 = from_0.y;
-    var _S564 : f32 = from_0.x;
-    return vec2<f32>(_S563 + (to_0.y - _S563) * share_14, _S564 + (to_0.x - _S564) * share_14) * vec2<f32>(radius_6);
+    var _S556 : f32 = from_0.y;
+    var _S557 : f32 = from_0.x;
+    return vec2<f32>(_S556 + (to_0.y - _S556) * share_14, _S557 + (to_0.x - _S557) * share_14) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8405,12 +8404,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S565 : Orthographic_0;
-    _S565.corner_6 = corner_7;
-    _S565.pixel_x_5 = pixel_x_6;
-    _S565.pixel_y_5 = pixel_y_6;
-    _S565.forward_2 = forward_3;
-    return _S565;
+    var _S558 : Orthographic_0;
+    _S558.corner_6 = corner_7;
+    _S558.pixel_x_5 = pixel_x_6;
+    _S558.pixel_y_5 = pixel_y_6;
+    _S558.forward_2 = forward_3;
+    return _S558;
 }
 
 fn Orthographic_ray_0( this_62 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8428,12 +8427,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S566 : Panorama_0;
-    _S566.eye_6 = eye_7;
-    _S566.axes_1 = axes_2;
-    _S566.inverse_size_0 = inverse_size_1;
-    _S566.half_eye_distance_0 = half_eye_distance_1;
-    return _S566;
+    var _S559 : Panorama_0;
+    _S559.eye_6 = eye_7;
+    _S559.axes_1 = axes_2;
+    _S559.inverse_size_0 = inverse_size_1;
+    _S559.half_eye_distance_0 = half_eye_distance_1;
+    return _S559;
 }
 
 fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8460,9 +8459,9 @@ fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_63.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S567 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S568 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S568 - this_63.axes_1.right_5 * _S567) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S567 + this_63.axes_1.right_5 * _S568) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S560 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S561 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S561 - this_63.axes_1.right_6 * _S560) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S560 + this_63.axes_1.right_6 * _S561) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8475,12 +8474,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S569 : Fisheye_0;
-    _S569.eye_8 = eye_9;
-    _S569.axes_3 = axes_4;
-    _S569.middle_1 = middle_2;
-    _S569.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S569;
+    var _S562 : Fisheye_0;
+    _S562.eye_8 = eye_9;
+    _S562.axes_3 = axes_4;
+    _S562.middle_1 = middle_2;
+    _S562.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S562;
 }
 
 fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8498,7 +8497,7 @@ fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f
     {
         scale_0 = 0.0f;
     }
-    return ray_from_0(this_64.eye_8, normalize_vector_0(this_64.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_64.axes_3.right_5 * vec3<f32>((x_10 * scale_0)) - this_64.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
+    return ray_from_0(this_64.eye_8, normalize_vector_0(this_64.axes_3.forward_0 * vec3<f32>(sin_cos_5.y) + this_64.axes_3.right_6 * vec3<f32>((x_10 * scale_0)) - this_64.axes_3.up_0 * vec3<f32>((y_5 * scale_0))));
 }
 
 fn Perspective_ray_0( this_65 : Perspective_0,  position_7 : vec2<f32>,  lens_8 : vec2<f32>) -> Ray_0
@@ -8543,14 +8542,14 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_30 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S570 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
-    return _S570;
+    var _S563 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
+    return _S563;
 }
 
 fn WalkTracer_trace_1( ray_31 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S571 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
-    return _S571;
+    var _S564 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
+    return _S564;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8596,29 +8595,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_32 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S572 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
-        keep_hit_0(item_1.slot_0, _S572);
+        var _S565 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
+        keep_hit_0(item_1.slot_0, _S565);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_10 : vec3<f32>,  instance_16 : u32) -> Sample_0
 {
-    var _S573 : Sample_0;
-    _S573.direct_0 = direct_1;
-    _S573.light_1 = light_14;
-    _S573.is_shown_0 = is_shown_1;
-    _S573.albedo_0 = albedo_1;
-    _S573.normal_1 = normal_7;
-    _S573.place_0 = place_10;
-    _S573.instance_7 = instance_16;
-    return _S573;
+    var _S566 : Sample_0;
+    _S566.direct_0 = direct_1;
+    _S566.light_1 = light_14;
+    _S566.is_shown_0 = is_shown_1;
+    _S566.albedo_0 = albedo_1;
+    _S566.normal_1 = normal_7;
+    _S566.place_0 = place_10;
+    _S566.instance_7 = instance_16;
+    return _S566;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S574 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S574, _S574, false, _S574, _S574, _S574, u32(4294967294));
+    var _S567 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S567, _S567, false, _S567, _S567, _S567, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_67 : Item_0) -> bool
@@ -8628,28 +8627,28 @@ fn Item_is_cell_0( this_67 : Item_0) -> bool
 
 fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S575 : u32 = Key_level_0(this_68);
-    var bits_4 : u32 = ((u32(1) << (_S575))) - u32(1);
+    var _S568 : u32 = Key_level_0(this_68);
+    var bits_4 : u32 = ((u32(1) << (_S568))) - u32(1);
     var place_11 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_68)))))));
-    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S575)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S575))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S575)))) & (bits_4))));
+    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S568)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S568))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S568)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_8 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S576 : Path_0;
-    _S576.sampler_0 = sampler_5;
-    _S576.bounce_0 = bounce_4;
-    _S576.event_0 = event_2;
-    _S576.kinds_0 = kinds_1;
-    _S576.scattered_0 = scattered_5;
-    _S576.beta_0 = beta_1;
-    _S576.pdf_1 = pdf_14;
-    _S576.normal_0 = normal_8;
-    _S576.selection_0 = selection_5;
-    _S576.passed_t_0 = passed_t_1;
-    _S576.inside_0 = inside_8;
-    _S576.is_clipped_0 = is_clipped_1;
-    return _S576;
+    var _S569 : Path_0;
+    _S569.sampler_0 = sampler_5;
+    _S569.bounce_0 = bounce_4;
+    _S569.event_0 = event_2;
+    _S569.kinds_0 = kinds_1;
+    _S569.scattered_0 = scattered_5;
+    _S569.beta_0 = beta_1;
+    _S569.pdf_1 = pdf_14;
+    _S569.normal_0 = normal_8;
+    _S569.selection_0 = selection_5;
+    _S569.passed_t_0 = passed_t_1;
+    _S569.inside_0 = inside_8;
+    _S569.is_clipped_0 = is_clipped_1;
+    return _S569;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8659,9 +8658,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S577 : f32 = z_1.z;
+    var _S570 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S577 < 0.0f)
+    if(_S570 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -8669,12 +8668,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_0 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S577);
-    var _S578 : f32 = z_1.x;
-    var _S579 : f32 = z_1.y;
-    var b_7 : f32 = _S578 * _S579 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_0 * _S578 * _S578 * a_7, sign_0 * b_7, - sign_0 * _S578);
-    (*y_6) = vec3<f32>(b_7, sign_0 + _S579 * _S579 * a_7, - _S579);
+    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S570);
+    var _S571 : f32 = z_1.x;
+    var _S572 : f32 = z_1.y;
+    var b_7 : f32 = _S571 * _S572 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_0 * _S571 * _S571 * a_7, sign_0 * b_7, - sign_0 * _S571);
+    (*y_6) = vec3<f32>(b_7, sign_0 + _S572 * _S572 * a_7, - _S572);
     return;
 }
 
@@ -8685,9 +8684,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S580 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S580);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S580);
+    var _S573 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S573);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S573);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8697,43 +8696,43 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_10, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S581 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S581);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S581);
+    var _S574 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S574);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S574);
 }
 
 fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_17 : u32) -> Surface_0
 {
-    var _S582 : Surface_0;
-    _S582.origin_11 = origin_13;
-    _S582.normal_3 = normal_11;
-    _S582.face_2 = face_11;
-    _S582.instance_11 = instance_17;
-    return _S582;
+    var _S575 : Surface_0;
+    _S575.origin_11 = origin_13;
+    _S575.normal_3 = normal_11;
+    _S575.face_2 = face_11;
+    _S575.instance_11 = instance_17;
+    return _S575;
 }
 
 fn Walker_x24init_0( path_14 : Path_0,  ray_33 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool,  counts_1 : bool,  sees_mover_1 : bool) -> Walker_0
 {
-    var _S583 : Walker_0;
-    _S583.path_0 = path_14;
-    _S583.ray_7 = ray_33;
-    _S583.is_shadow_ray_0 = is_shadow_ray_1;
-    _S583.light_0 = light_15;
-    _S583.direction_4 = direction_30;
-    _S583.path_origin_0 = path_origin_3;
-    _S583.shadow_inside_0 = shadow_inside_3;
-    _S583.boundaries_0 = boundaries_1;
-    _S583.relocates_0 = relocates_3;
-    _S583.path_relocates_0 = path_relocates_3;
-    _S583.camera_ray_0 = camera_ray_2;
-    _S583.way_3 = way_7;
-    _S583.has_shown_0 = has_shown_1;
-    _S583.asks_cache_0 = asks_cache_1;
-    _S583.life_0 = life_3;
-    _S583.is_at_cell_0 = is_at_cell_1;
-    _S583.counts_0 = counts_1;
-    _S583.sees_mover_0 = sees_mover_1;
-    return _S583;
+    var _S576 : Walker_0;
+    _S576.path_0 = path_14;
+    _S576.ray_7 = ray_33;
+    _S576.is_shadow_ray_0 = is_shadow_ray_1;
+    _S576.light_0 = light_15;
+    _S576.direction_4 = direction_30;
+    _S576.path_origin_0 = path_origin_3;
+    _S576.shadow_inside_0 = shadow_inside_3;
+    _S576.boundaries_0 = boundaries_1;
+    _S576.relocates_0 = relocates_3;
+    _S576.path_relocates_0 = path_relocates_3;
+    _S576.camera_ray_0 = camera_ray_2;
+    _S576.way_3 = way_7;
+    _S576.has_shown_0 = has_shown_1;
+    _S576.asks_cache_0 = asks_cache_1;
+    _S576.life_0 = life_3;
+    _S576.is_at_cell_0 = is_at_cell_1;
+    _S576.counts_0 = counts_1;
+    _S576.sees_mover_0 = sees_mover_1;
+    return _S576;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8741,7 +8740,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S584 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S577 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8758,13 +8757,13 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S585 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_14 : vec3<f32> = Transform_point_0(_S585.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S585.grid_from_world_0.translation_0), _S584, face_12, _S584 + on_face_2));
-    var normal_12 : vec3<f32> = world_normal_0(_S585, face_12);
+    var _S578 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S578.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S578.grid_from_world_0.translation_0), _S577, face_12, _S577 + on_face_2));
+    var normal_12 : vec3<f32> = world_normal_0(_S578, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S586 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S586));
-    path_15.pdf_1 = _S586;
+    var _S579 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S579));
+    path_15.pdf_1 = _S579;
     var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_12);
     path_15.selection_0 = Lights_selection_0(receiver_30);
     path_15.normal_0 = normal_12;
@@ -8787,29 +8786,29 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_69 : Item_0) -> bool
 {
-    var _S587 : bool;
+    var _S580 : bool;
     if(Item_is_cell_0(this_69))
     {
-        _S587 = true;
+        _S580 = true;
     }
     else
     {
         if((this_69.kind_2) == u32(1))
         {
-            _S587 = has_0(u32(1));
+            _S580 = has_0(u32(1));
         }
         else
         {
-            _S587 = false;
+            _S580 = false;
         }
     }
-    return _S587;
+    return _S580;
 }
 
 fn at_camera_0( ray_35 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S588 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S588, _S588, _S588, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false);
+    var _S581 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S581, _S581, _S581, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false);
 }
 
 fn Item_start_0( this_70 : Item_0) -> Walker_0
@@ -8818,10 +8817,10 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_70, &(rank_8));
-        var _S589 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
-        return _S589;
+        var _S582 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
+        return _S582;
     }
-    var _S590 : CameraFrame_0 = FrameParams_camera_0();
+    var _S583 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_70.kind_2) == u32(3))
     {
@@ -8829,7 +8828,7 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S590;
+        camera_1 = _S583;
     }
     return at_camera_0(camera_ray_1(this_70.at_13, camera_1, this_70.sampler_2), this_70.sampler_2, Item_asks_cache_0(this_70));
 }
@@ -8867,87 +8866,87 @@ fn hit_in_slot_0( slot_7 : u32,  ray_37 : Ray_0) -> Hit_0
 struct Slot_0
 {
      item_2 : Item_0,
-     own_3 : u32,
+     own_5 : u32,
      lent_0 : u32,
 };
 
-fn Slot_x24init_0( item_3 : Item_0,  own_4 : u32,  lent_1 : u32) -> Slot_0
+fn Slot_x24init_0( item_3 : Item_0,  own_6 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S591 : Slot_0;
-    _S591.item_2 = item_3;
-    _S591.own_3 = own_4;
-    _S591.lent_0 = lent_1;
-    return _S591;
+    var _S584 : Slot_0;
+    _S584.item_2 = item_3;
+    _S584.own_5 = own_6;
+    _S584.lent_0 = lent_1;
+    return _S584;
 }
 
 fn lets_light_pass_0( material_18 : PackedMaterial_0) -> bool
 {
-    var _S592 : bool;
+    var _S585 : bool;
     if((material_18.transmission_0) > 0.0f)
     {
         if((material_18.ior_0) == 1.0f)
         {
-            _S592 = true;
+            _S585 = true;
         }
         else
         {
-            _S592 = (params_0.clear_shadows_0) != u32(0);
+            _S585 = (params_0.clear_shadows_0) != u32(0);
         }
     }
     else
     {
-        _S592 = false;
+        _S585 = false;
     }
-    return _S592;
+    return _S585;
 }
 
 fn is_matte_0( material_19 : PackedMaterial_0) -> bool
 {
-    var _S593 : bool;
+    var _S586 : bool;
     if((material_19.transmission_0) <= 0.0f)
     {
-        _S593 = (material_19.metallic_0) <= 0.0f;
+        _S586 = (material_19.metallic_0) <= 0.0f;
     }
     else
     {
-        _S593 = false;
+        _S586 = false;
     }
-    if(_S593)
+    if(_S586)
     {
-        _S593 = (material_19.specular_0) <= 0.0f;
+        _S586 = (material_19.specular_0) <= 0.0f;
     }
     else
     {
-        _S593 = false;
+        _S586 = false;
     }
-    return _S593;
+    return _S586;
 }
 
 fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    var _S594 : bool;
+    var _S587 : bool;
     if(!has_0(u32(1024)))
     {
-        _S594 = true;
+        _S587 = true;
     }
     else
     {
-        _S594 = Hit_is_miss_0(hit_23);
+        _S587 = Hit_is_miss_0(hit_23);
     }
-    if(_S594)
+    if(_S587)
     {
         return false;
     }
     var material_20 : PackedMaterial_0 = material_of_0(hit_23);
     if(is_shadow_ray_2)
     {
-        _S594 = lets_light_pass_0(material_20);
+        _S587 = lets_light_pass_0(material_20);
     }
     else
     {
-        _S594 = !is_matte_0(material_20);
+        _S587 = !is_matte_0(material_20);
     }
-    return _S594;
+    return _S587;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8959,52 +8958,52 @@ fn set_left_0( slot_8 : u32)
 fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S595 : bool;
+    var _S588 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S595 = true;
+        _S588 = true;
     }
     else
     {
-        _S595 = Inside_is_in_0(path_16.inside_0);
+        _S588 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S595)
+    if(_S588)
     {
         return false;
     }
     var material_21 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_21.metallic_0) > 0.0f)
     {
-        _S595 = true;
+        _S588 = true;
     }
     else
     {
-        _S595 = (material_21.transmission_0) > 0.0f;
+        _S588 = (material_21.transmission_0) > 0.0f;
     }
-    if(_S595)
+    if(_S588)
     {
         return false;
     }
     var code_6 : u32;
     var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
-    var _S596 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
+    var _S589 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
     var is_from_first_2 : bool = (path_16.bounce_0) < u32(2);
     if(life_4 == u32(0))
     {
-        _S595 = true;
+        _S588 = true;
     }
     else
     {
         if(is_from_first_2)
         {
-            _S595 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S596;
+            _S588 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S589;
         }
         else
         {
-            _S595 = false;
+            _S588 = false;
         }
     }
-    if(_S595)
+    if(_S588)
     {
         return false;
     }
@@ -9019,23 +9018,23 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_13 : vec3<f32>) -> u32
 {
-    var _S597 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
-    return (((((u32(_S597.x) & (u32(1023)))) | (((((u32(_S597.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S597.z) & (u32(1023)))) << (u32(20))))));
+    var _S590 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
+    return (((((u32(_S590.x) & (u32(1023)))) | (((((u32(_S590.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S590.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S598 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S599 : u32;
+    var _S591 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S592 : u32;
     if(sample_24.is_shown_0)
     {
-        _S599 = u32(1073741824);
+        _S592 = u32(1073741824);
     }
     else
     {
-        _S599 = u32(0);
+        _S592 = u32(0);
     }
-    var normal_14 : u32 = (_S598 | (_S599));
+    var normal_14 : u32 = (_S591 | (_S592));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -9049,45 +9048,45 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_20 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_20 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S600 : u32;
+    var _S593 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S600 = (bitcast<u32>((at_19.ray_7.t_max_0)));
+        _S593 = (bitcast<u32>((at_19.ray_7.t_max_0)));
     }
     else
     {
-        _S600 = u32(0);
+        _S593 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_71.own_3, vec2<u32>(_S600, word_10));
-    set_scratch_row_0(u32(7), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
-    set_scratch_row_0(u32(8), this_71.own_3, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
-    set_scratch_row_0(u32(9), this_71.own_3, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
+    set_scratch_row_0(u32(4), this_71.own_5, vec2<u32>(_S593, word_10));
+    set_scratch_row_0(u32(7), this_71.own_5, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
+    set_scratch_row_0(u32(8), this_71.own_5, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
+    set_scratch_row_0(u32(9), this_71.own_5, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
     return;
 }
 
 fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_21 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S601 : Sample_0 = sample_25;
-    _S601.light_1 = vec3<f32>(0.0f);
-    _S601.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_72.own_3, _S601);
-    scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_3][i32(1)] = (bitcast<u32>((t_18)));
+    var _S594 : Sample_0 = sample_25;
+    _S594.light_1 = vec3<f32>(0.0f);
+    _S594.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_72.own_5, _S594);
+    scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_5][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_72, at_20, instance_21, face_14);
     return;
 }
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S602 : f32;
+    var _S595 : f32;
     if(sample_26.is_shown_0)
     {
-        _S602 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S595 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S602 = 0.0f;
+        _S595 = 0.0f;
     }
-    return _S602;
+    return _S595;
 }
 
 fn Item_end_0( this_73 : Item_0,  sample_27 : Sample_0)
@@ -9119,7 +9118,7 @@ fn set_over_0( slot_9 : u32)
 fn Slot_end_0( this_74 : Slot_0,  sample_28 : Sample_0)
 {
     Item_end_0(this_74.item_2, sample_28);
-    set_over_0(this_74.own_3);
+    set_over_0(this_74.own_5);
     return;
 }
 
@@ -9136,9 +9135,9 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S603 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S603;
-        var _S604 : Hit_0 = miss_0();
+        var _S596 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S596;
+        var _S597 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
         var instance_22 : u32;
         var face_15 : u32;
@@ -9146,10 +9145,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S605 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S604;
+            var _S598 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S597;
             instance_22 = key_8.instance_9;
-            face_15 = _S605;
+            face_15 = _S598;
         }
         else
         {
@@ -9158,16 +9157,16 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
             instance_22 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S606 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S606, _S606);
+        var _S599 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S599, _S599);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S607 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S607)
+            var _S600 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S600)
             {
                 Slot_keep_first_0(slot_10, at_21, instance_22, face_15, hit_25.t_0, sample_29);
             }
@@ -9187,31 +9186,31 @@ fn is_over_0( slot_11 : u32) -> bool
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_3 : u32,  counts_2 : bool)
 {
-    var _S608 : bool;
+    var _S601 : bool;
     if(is_of_pixel_0)
     {
-        _S608 = has_0(u32(4096));
+        _S601 = has_0(u32(4096));
     }
     else
     {
-        _S608 = false;
+        _S601 = false;
     }
-    weighs_candidates_0 = _S608;
+    weighs_candidates_0 = _S601;
     counts_arrivals_0 = false;
-    if(_S608)
+    if(_S601)
     {
-        _S608 = counts_2;
+        _S601 = counts_2;
     }
     else
     {
-        _S608 = false;
+        _S601 = false;
     }
-    if(_S608)
+    if(_S601)
     {
         var stride_2 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S609 : u32 = pixel_3 / stride_2;
-        var _S610 : u32 = (pixel_3 + u32(7) * _S609 + real_time_0.number_0) % stride_2;
-        counts_arrivals_0 = _S610 == u32(0);
+        var _S602 : u32 = pixel_3 / stride_2;
+        var _S603 : u32 = (pixel_3 + u32(7) * _S602 + real_time_0.number_0) % stride_2;
+        counts_arrivals_0 = _S603 == u32(0);
     }
     return;
 }
@@ -9223,7 +9222,7 @@ fn origin_in_0( slot_12 : u32) -> vec3<f32>
 
 fn Slot_face_word_0( this_75 : Slot_0) -> u32
 {
-    return scratch_row_0(u32(4), this_75.own_3).y;
+    return scratch_row_0(u32(4), this_75.own_5).y;
 }
 
 fn Slot_face_0( this_76 : Slot_0) -> u32
@@ -9239,20 +9238,20 @@ fn Slot_instance_0( this_77 : Slot_0) -> u32
 fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S611 : vec3<f32> = origin_in_0(this_78.own_3);
-    surface_7.origin_11 = _S611;
-    var _S612 : u32 = Slot_face_0(this_78);
-    surface_7.face_2 = _S612;
-    var _S613 : u32 = Slot_instance_0(this_78);
-    surface_7.instance_11 = _S613;
-    var _S614 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S613), _S612);
-    surface_7.normal_3 = _S614;
-    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S611, _S614);
+    var _S604 : vec3<f32> = origin_in_0(this_78.own_5);
+    surface_7.origin_11 = _S604;
+    var _S605 : u32 = Slot_face_0(this_78);
+    surface_7.face_2 = _S605;
+    var _S606 : u32 = Slot_instance_0(this_78);
+    surface_7.instance_11 = _S606;
+    var _S607 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S606), _S605);
+    surface_7.normal_3 = _S607;
+    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S604, _S607);
     var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_31);
     var bsdf_2 : MaterialBsdf_0;
     bsdf_2.kind_0 = u32(0);
-    bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_78.own_3)))), (bitcast<f32>((scratch_row_0(u32(6), this_78.own_3).x))));
+    bsdf_2.color_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), this_78.own_5)))), (bitcast<f32>((scratch_row_0(u32(6), this_78.own_5).x))));
     bsdf_2.specular_1 = 0.0f;
     bsdf_2.eta_0 = 1.0f;
     bsdf_2.facets_0.alpha_0 = 1.0f;
@@ -9263,10 +9262,10 @@ fn Slot_keep_light_0( this_79 : Slot_0,  next_8 : NextRays_0)
 {
     if(next_8.has_shadow_ray_0)
     {
-        set_scratch_row_0(u32(0), this_79.own_3, (bitcast<vec2<u32>>((next_8.light_2.xy))));
-        scratch_0[real_time_0.slots_0 + this_79.own_3][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
-        set_end_word_0(this_79.own_3, (bitcast<u32>((next_8.shadow_t_max_0))));
-        set_words_0(this_79.own_3, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
+        set_scratch_row_0(u32(0), this_79.own_5, (bitcast<vec2<u32>>((next_8.light_2.xy))));
+        scratch_0[real_time_0.slots_0 + this_79.own_5][i32(0)] = (bitcast<u32>((next_8.light_2.z)));
+        set_end_word_0(this_79.own_5, (bitcast<u32>((next_8.shadow_t_max_0))));
+        set_words_0(this_79.own_5, (bitcast<vec3<u32>>((next_8.shadow_direction_0))));
     }
     return;
 }
@@ -9280,18 +9279,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S615 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S615, _S615);
-    var _S616 : bool;
+    var _S608 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S608, _S608);
+    var _S609 : bool;
     if(item_5.traces_0)
     {
-        _S616 = !is_over_0(item_5.slot_0);
+        _S609 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S616 = false;
+        _S609 = false;
     }
-    if(_S616)
+    if(_S609)
     {
         first_candidates_0 = real_time_0.candidates_0;
         weigh_candidates_0((item_5.kind_2) == u32(1), item_5.place_7, false);
@@ -9309,20 +9308,20 @@ fn Slot_bounce_0( this_80 : Slot_0) -> u32
 
 fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S617 : bool;
+    var _S610 : bool;
     if(Item_is_cell_0(this_81.item_2))
     {
-        _S617 = (Slot_bounce_0(this_81)) == u32(1);
+        _S610 = (Slot_bounce_0(this_81)) == u32(1);
     }
     else
     {
-        _S617 = false;
+        _S610 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S617)
+    if(_S610)
     {
-        var _S618 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
-        direction_32 = _S618;
+        var _S611 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
+        direction_32 = _S611;
     }
     else
     {
@@ -9334,25 +9333,25 @@ fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
         (*pdf_17) = cosine_hemisphere_pdf_0(wi_8.z);
         direction_32 = Surface_world_direction_0(surface_8, wi_8);
     }
-    return ray_from_0(origin_in_0(this_81.own_3), direction_32);
+    return ray_from_0(origin_in_0(this_81.own_5), direction_32);
 }
 
 fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S619 : bool;
+    var _S612 : bool;
     if(Item_is_cell_0(this_82.item_2))
     {
-        _S619 = (Slot_bounce_0(this_82)) == u32(1);
+        _S612 = (Slot_bounce_0(this_82)) == u32(1);
     }
     else
     {
-        _S619 = false;
+        _S612 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S619)
+    if(_S612)
     {
-        var _S620 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
-        direction_33 = _S620;
+        var _S613 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
+        direction_33 = _S613;
     }
     else
     {
@@ -9364,7 +9363,7 @@ fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
         (*pdf_18) = cosine_hemisphere_pdf_0(wi_9.z);
         direction_33 = Surface_world_direction_0(surface_9, wi_9);
     }
-    return ray_from_0(origin_in_0(this_82.own_3), direction_33);
+    return ray_from_0(origin_in_0(this_82.own_5), direction_33);
 }
 
 fn place_of_found_0( place_12 : u32) -> u32
@@ -9374,16 +9373,16 @@ fn place_of_found_0( place_12 : u32) -> u32
 
 fn count_arrival_0( ray_39 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S621 : i32;
+    var _S614 : i32;
     if(has_arrived_0)
     {
-        _S621 = i32(65537);
+        _S614 = i32(65537);
     }
     else
     {
-        _S621 = i32(1);
+        _S614 = i32(1);
     }
-    var _S622 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S621));
+    var _S615 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S614));
     return;
 }
 
@@ -9391,8 +9390,8 @@ fn Slot_darken_0( this_83 : Slot_0)
 {
     if((Slot_bounce_0(this_83)) == u32(1))
     {
-        set_scratch_row_0(u32(0), this_83.own_3, vec2<u32>(vec2<i32>(i32(0))));
-        scratch_0[real_time_0.slots_0 + this_83.own_3][i32(0)] = u32(0);
+        set_scratch_row_0(u32(0), this_83.own_5, vec2<u32>(vec2<i32>(i32(0))));
+        scratch_0[real_time_0.slots_0 + this_83.own_5][i32(0)] = u32(0);
     }
     else
     {
@@ -9404,19 +9403,19 @@ fn Slot_darken_0( this_83 : Slot_0)
 
 fn Slot_walk_0( this_84 : Slot_0)
 {
-    var end_5 : u32 = end_word_0(this_84.own_3);
+    var end_5 : u32 = end_word_0(this_84.own_5);
     var pdf_19 : f32;
-    var ray_40 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_3), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_3)))), (bitcast<f32>((end_5))));
-    var _S623 : i32;
+    var ray_40 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_5), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_5)))), (bitcast<f32>((end_5))));
+    var _S616 : i32;
     if(end_5 == u32(0))
     {
-        _S623 = i32(1);
+        _S616 = i32(1);
     }
     else
     {
-        _S623 = i32(0);
+        _S616 = i32(0);
     }
-    var turn_0 : u32 = u32(_S623);
+    var turn_0 : u32 = u32(_S616);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9426,14 +9425,14 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             break;
         }
-        var _S624 : bool = turn_0 == u32(1);
-        if(_S624)
+        var _S617 : bool = turn_0 == u32(1);
+        if(_S617)
         {
             ray_40 = Slot_ray_0(this_84, &(pdf_19));
         }
-        var _S625 : bool = turn_0 == u32(0);
+        var _S618 : bool = turn_0 == u32(0);
         var ends_anywhere_0 : bool;
-        if(_S625)
+        if(_S618)
         {
             if(counts_arrivals_0)
             {
@@ -9449,50 +9448,50 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             ends_anywhere_0 = false;
         }
-        var _S626 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
-        var _S627 : bool;
-        if(_S625)
+        var _S619 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
+        var _S620 : bool;
+        if(_S618)
         {
-            _S627 = leaves_0(_S626, true);
+            _S620 = leaves_0(_S619, true);
         }
         else
         {
-            _S627 = false;
+            _S620 = false;
         }
-        if(_S627)
+        if(_S620)
         {
-            set_left_0(this_84.own_3);
+            set_left_0(this_84.own_5);
             return;
         }
-        var _S628 : bool;
-        if(_S625)
+        var _S621 : bool;
+        if(_S618)
         {
-            _S628 = counts_arrivals_0;
+            _S621 = counts_arrivals_0;
         }
         else
         {
-            _S628 = false;
+            _S621 = false;
         }
-        var _S629 : bool;
-        if(_S628)
+        var _S622 : bool;
+        if(_S621)
         {
-            _S629 = (Slot_bounce_0(this_84)) == u32(1);
-        }
-        else
-        {
-            _S629 = false;
-        }
-        if(_S629)
-        {
-            count_arrival_0(ray_40, Hit_is_miss_0(_S626));
-        }
-        if(_S624)
-        {
-            keep_hit_0(this_84.own_3, _S626);
+            _S622 = (Slot_bounce_0(this_84)) == u32(1);
         }
         else
         {
-            if(!Hit_is_miss_0(_S626))
+            _S622 = false;
+        }
+        if(_S622)
+        {
+            count_arrival_0(ray_40, Hit_is_miss_0(_S619));
+        }
+        if(_S617)
+        {
+            keep_hit_0(this_84.own_5, _S619);
+        }
+        else
+        {
+            if(!Hit_is_miss_0(_S619))
             {
                 Slot_darken_0(this_84);
             }
@@ -9511,20 +9510,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var slot_14 : Slot_0;
-    var _S630 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S630;
-    slot_14.own_3 = slot_14.item_2.slot_0;
+    var _S623 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S623;
+    slot_14.own_5 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S631 : bool;
+    var _S624 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S631 = !is_over_0(slot_14.own_3);
+        _S624 = !is_over_0(slot_14.own_5);
     }
     else
     {
-        _S631 = false;
+        _S624 = false;
     }
-    if(_S631)
+    if(_S624)
     {
         weigh_candidates_0((slot_14.item_2.kind_2) == u32(1), slot_14.item_2.place_7, true);
         Slot_walk_0(slot_14);
@@ -9548,15 +9547,15 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S632 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S632);
-    sample_30.is_shown_0 = ((_S632 & (u32(1073741824)))) != u32(0);
+    var _S625 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S625);
+    sample_30.is_shown_0 = ((_S625 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
 fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Walker_0
 {
-    (*sample_31) = load_sample_0(this_85.own_3);
+    (*sample_31) = load_sample_0(this_85.own_5);
     var bounce_5 : u32 = Slot_bounce_0(this_85);
     var at_22 : Walker_0;
     at_22.path_0 = path_from_0(this_85.item_2.sampler_2);
@@ -9569,10 +9568,10 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_85.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_85.lent_0)))));
     }
-    var _S633 : f32 = at_22.path_0.pdf_1;
-    var _S634 : Ray_0 = Slot_ray_1(this_85, &(_S633));
-    at_22.path_0.pdf_1 = _S633;
-    at_22.ray_7 = _S634;
+    var _S626 : f32 = at_22.path_0.pdf_1;
+    var _S627 : Ray_0 = Slot_ray_1(this_85, &(_S626));
+    at_22.path_0.pdf_1 = _S626;
+    at_22.ray_7 = _S627;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_85)), Slot_face_0(this_85));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9582,7 +9581,7 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S634;
+    at_22.camera_ray_0 = _S627;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_85.item_2);
@@ -9593,20 +9592,20 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_85.item_2))
     {
         var rank_10 : u32;
-        var _S635 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
+        var _S628 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
         var ray_41 : Ray_0 = camera_ray_1(this_85.item_2.at_13, FrameParams_camera_0(), this_85.item_2.sampler_2);
-        (*sample_31).place_0 = ray_41.origin_0 + ray_41.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_85.own_3).y))));
+        (*sample_31).place_0 = ray_41.origin_0 + ray_41.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_85.own_5).y))));
     }
     return at_22;
 }
 
 fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Walker_0
 {
-    (*sample_32) = load_sample_0(this_86.own_3);
+    (*sample_32) = load_sample_0(this_86.own_5);
     var bounce_6 : u32 = Slot_bounce_0(this_86);
     var at_23 : Walker_0;
     at_23.path_0 = path_from_0(this_86.item_2.sampler_2);
@@ -9619,10 +9618,10 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_86.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_86.lent_0)))));
     }
-    var _S636 : f32 = at_23.path_0.pdf_1;
-    var _S637 : Ray_0 = Slot_ray_1(this_86, &(_S636));
-    at_23.path_0.pdf_1 = _S636;
-    at_23.ray_7 = _S637;
+    var _S629 : f32 = at_23.path_0.pdf_1;
+    var _S630 : Ray_0 = Slot_ray_1(this_86, &(_S629));
+    at_23.path_0.pdf_1 = _S629;
+    at_23.ray_7 = _S630;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_86)), Slot_face_0(this_86));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9632,7 +9631,7 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S637;
+    at_23.camera_ray_0 = _S630;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_86.item_2);
@@ -9643,13 +9642,13 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_86.item_2))
     {
         var rank_11 : u32;
-        var _S638 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
+        var _S631 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
     {
         var ray_42 : Ray_0 = camera_ray_1(this_86.item_2.at_13, FrameParams_camera_0(), this_86.item_2.sampler_2);
-        (*sample_32).place_0 = ray_42.origin_0 + ray_42.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_86.own_3).y))));
+        (*sample_32).place_0 = ray_42.origin_0 + ray_42.direction_0 * vec3<f32>((bitcast<f32>((scratch_row_0(u32(3), this_86.own_5).y))));
     }
     return at_23;
 }
@@ -9657,21 +9656,21 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S639 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S639;
-    var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_3, at_24.ray_7);
+    var _S632 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S632;
+    var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_5, at_24.ray_7);
     if(leaves_0(hit_27, false))
     {
-        set_left_0(slot_15.own_3);
+        set_left_0(slot_15.own_5);
         return false;
     }
-    var _S640 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S640;
+    var _S633 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S633;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S641 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S641;
+        var _S634 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S634;
     }
     else
     {
@@ -9698,10 +9697,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S640;
-    var _S642 : Path_0 = at_24.path_0;
-    var _S643 : NextRays_0 = PathTracingOf_advance_2(&(_S642), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S642;
+    var emitted_6 : vec3<f32> = _S633;
+    var _S635 : Path_0 = at_24.path_0;
+    var _S636 : NextRays_0 = PathTracingOf_advance_2(&(_S635), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S635;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9718,34 +9717,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S644 : bool = thread_2 < u32(2);
-    if(_S644)
+    var _S637 : bool = thread_2 < u32(2);
+    if(_S637)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S645 : i32;
+    var _S638 : i32;
     if(goes_on_8)
     {
-        _S645 = i32(0);
+        _S638 = i32(0);
     }
     else
     {
-        _S645 = i32(1);
+        _S638 = i32(1);
     }
-    var list_1 : u32 = u32(_S645);
+    var list_1 : u32 = u32(_S638);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S646 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S646;
+        var _S639 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S639;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S644)
+    if(_S637)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9759,26 +9758,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S647 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S647;
+            var _S640 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S640;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S648 : bool;
+        var _S641 : bool;
         if(thread_2 == u32(0))
         {
-            _S648 = more_0 > u32(0);
+            _S641 = more_0 > u32(0);
         }
         else
         {
-            _S648 = false;
+            _S641 = false;
         }
-        if(_S648)
+        if(_S641)
         {
-            var _S649 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S642 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9815,10 +9814,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S650 : u32 = id_4.x;
-    var _S651 : Item_0 = item_of_0(_S650);
-    var item_7 : Item_0 = _S651;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S651, item_7.slot_0, item_7.slot_0);
+    var _S643 : u32 = id_4.x;
+    var _S644 : Item_0 = item_of_0(_S643);
+    var item_7 : Item_0 = _S644;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S644, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9830,45 +9829,45 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S652 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S652;
+        var _S645 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S645;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S653 : bool;
+    var _S646 : bool;
     if(item_7.traces_0)
     {
-        _S653 = !is_left_9(item_7.slot_0);
+        _S646 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S653 = false;
+        _S646 = false;
     }
-    item_7.traces_0 = _S653;
-    append_0(thread_3, _S650, item_7, goes_on_9);
+    item_7.traces_0 = _S646;
+    append_0(thread_3, _S643, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S654 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S654;
-    var _S655 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S655;
+    var _S647 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S647;
+    var _S648 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S648;
     if(slot_18.item_2.traces_0)
     {
-        var _S656 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S656;
-        slot_18.own_3 = slot_18.item_2.slot_0;
+        var _S649 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S649;
+        slot_18.own_5 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
         {
             slot_18.lent_0 = rest_0[real_time_0.slots_0 - u32(1) - number_5];
         }
-        slot_18.item_2.traces_0 = !is_over_0(slot_18.own_3);
+        slot_18.item_2.traces_0 = !is_over_0(slot_18.own_5);
     }
     return slot_18;
 }
@@ -9884,8 +9883,8 @@ fn Slot_keep_later_0( this_87 : Slot_0,  at_26 : Walker_0,  hit_28 : Hit_0,  fou
     {
         light_17 = vec3<f32>(0.0f);
     }
-    set_scratch_row_0(u32(0), this_87.own_3, (bitcast<vec2<u32>>((found_4.xy))));
-    scratch_0[real_time_0.slots_0 + this_87.own_3][i32(0)] = (bitcast<u32>((found_4.z)));
+    set_scratch_row_0(u32(0), this_87.own_5, (bitcast<vec2<u32>>((found_4.xy))));
+    scratch_0[real_time_0.slots_0 + this_87.own_5][i32(0)] = (bitcast<u32>((found_4.z)));
     Slot_keep_0(this_87, at_26, hit_28.instance_0, hit_28.face_0);
     set_scratch_row_0(u32(7), this_87.lent_0, (bitcast<vec2<u32>>((at_26.path_0.beta_0.xy))));
     set_scratch_row_0(u32(8), this_87.lent_0, (bitcast<vec2<u32>>((vec2<f32>(at_26.path_0.beta_0.z, light_17.x)))));
@@ -9903,31 +9902,31 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S657 : bool;
+    var _S650 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S657 = is_lent_1;
+        _S650 = is_lent_1;
     }
     else
     {
-        _S657 = false;
+        _S650 = false;
     }
-    if(_S657)
+    if(_S650)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S658 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S658;
-        var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_3, at_27.ray_7);
+        var _S651 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S651;
+        var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_5, at_27.ray_7);
         if(leaves_0(hit_29, false))
         {
-            set_left_0(slot_19.own_3);
+            set_left_0(slot_19.own_5);
         }
         else
         {
-            var _S659 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S659)
+            var _S652 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S652)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9950,16 +9949,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S660 : bool;
+    var _S653 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S660 = is_lent_2;
+        _S653 = is_lent_2;
     }
     else
     {
-        _S660 = false;
+        _S653 = false;
     }
-    if(_S660)
+    if(_S653)
     {
         Slot_walk_0(slot_20);
     }
@@ -9970,9 +9969,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_5;
-    var _S661 : bool = !walks_0;
+    var _S654 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S661;
+    var is_met_4 : bool = _S654;
     var hit_30 : Hit_0 = first_0;
     for(;;)
     {
@@ -9985,10 +9984,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S662 : Ray_0 = at_28.ray_7;
-            var _S663 : Hit_0 = WalkTracer_trace_0(&(_S662), at_28.is_shadow_ray_0);
-            at_28.ray_7 = _S662;
-            hit_30 = _S663;
+            var _S655 : Ray_0 = at_28.ray_7;
+            var _S656 : Hit_0 = WalkTracer_trace_0(&(_S655), at_28.is_shadow_ray_0);
+            at_28.ray_7 = _S655;
+            hit_30 = _S656;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -10007,8 +10006,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S664 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S664;
+            var _S657 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S657;
         }
         is_met_4 = false;
     }
@@ -10032,7 +10031,7 @@ fn trace_rest(@builtin(global_invocation_id) id_7 : vec3<u32>)
         first_candidates_0 = u32(1);
         var sample_36 : Sample_0;
         var at_29 : Walker_0 = Slot_walker_1(slot_21, &(sample_36));
-        follow_0(slot_21.item_2, at_29, hit_in_slot_0(slot_21.own_3, at_29.ray_7), false, sample_36);
+        follow_0(slot_21.item_2, at_29, hit_in_slot_0(slot_21.own_5, at_29.ray_7), false, sample_36);
     }
     return;
 }
@@ -10050,8 +10049,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S665 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S665, miss_0(), true, no_sample_0());
+        var _S658 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S658, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -10064,14 +10063,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S666 : bool = thread_4 == u32(0);
-    if(_S666)
+    var _S659 : bool = thread_4 == u32(0);
+    if(_S659)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S667 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S667);
+    var _S660 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S660);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -10084,22 +10083,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S668 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S668;
+        var _S661 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S661;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S666)
+    if(_S659)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S669 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S669;
+            var _S662 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S662;
         }
         else
         {
@@ -10108,14 +10107,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S670 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S663 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S667;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S660;
     }
     return;
 }

@@ -1,12 +1,15 @@
-//! The tree over the emitters of a grid, changed in place. Which nodes there are follows from the emitters alone: it is a trie over the bits of
-//! their Morton order that ends where eight are left ([`crate::packed`]). So emitters that come and go change the nodes above them, and the
-//! tree is that of packing from scratch all the time: the same ways down with the same probabilities, in other places of the arrays.
+//! The tree over the emitters of a grid, changed in place. Which nodes there are follows from the emitters alone ([`crate::packed`]): within cubes of voxels it is a
+//! trie over the bits of their Morton order that ends where eight are left, so emitters that come and go change the nodes above them; the tree over cubes is
+//! made anew. So the tree is that of packing from scratch all the time: the same ways down with the same probabilities, in other places of the arrays.
 //!
 //! A left child follows its parent. So a way down to the left, from a root or a right child to a leaf, its spine, is one piece of the array. Where many
 //! emitters are new, small trees over them are made side by side, as packing makes them, and put into the arrays as pieces.
 
 use super::store::{Store, put};
-use crate::packed::{Emitter, LEAF_EMITTERS, LightNode, append_lights, deciding_axis, leaf_of, morton_order};
+use crate::packed::{
+    Emitter, LEAF_EMITTERS, LightNode, Shape, append_lights, cube_of, deciding_axis, leaf_of, morton_order,
+    tree_of_cubes,
+};
 use glam::IVec3;
 use std::borrow::Cow;
 
@@ -53,6 +56,99 @@ fn rank(a: IVec3, b: IVec3) -> Option<(u32, usize)> {
 impl Store<'_> {
     /// Applies changes, in Morton order, to the tree with this root. Returns the root of the new tree, `None` where nothing emits.
     pub fn update_lights(&mut self, root: Option<u32>, changes: &[EmitterChange]) -> Option<u32> {
+        if changes.is_empty() {
+            return root;
+        }
+        let mut opened = root.map(|root| self.take_apart(root)).unwrap_or_default();
+        let mut changed = changes.chunk_by(|a, b| cube_of(a.voxel) == cube_of(b.voxel)).peekable();
+        let (mut roots, mut spines) = (Vec::new(), Vec::new());
+        let mut add = |store: &Self, cube: IVec3, spine: Spine| {
+            if !spine.leaf.is_empty() {
+                roots.push((cube, store.root_of(&spine)));
+                spines.push(spine);
+            }
+        };
+        // Cubes that are there and cubes that change, both in Morton order.
+        opened.sort_unstable_by(|a, b| morton_order(a.0, b.0));
+        for (cube, opened) in opened {
+            while let Some(changes) = changed.next_if(|it| morton_order(cube_of(it[0].voxel), cube).is_lt()) {
+                let spine = self.grown(&Opened::default(), changes);
+                add(self, cube_of(changes[0].voxel), spine);
+            }
+            let changes = changed.next_if(|it| cube_of(it[0].voxel) == cube).unwrap_or_default();
+            let spine = self.grown(&opened, changes);
+            add(self, cube, spine);
+        }
+        for changes in changed {
+            let spine = self.grown(&Opened::default(), changes);
+            add(self, cube_of(changes[0].voxel), spine);
+        }
+        if spines.is_empty() {
+            return None;
+        }
+        let spine = self.spine_over(&tree_of_cubes(&roots), 0, &spines);
+        self.commit(&spine)
+    }
+
+    /// Takes the tree with this root out of the arrays, but for what is right of the spines of cubes. Returns these, with their cubes.
+    fn take_apart(&mut self, root: u32) -> Vec<(IVec3, Opened)> {
+        let (mut cubes, mut waiting) = (Vec::new(), vec![root]);
+        while let Some(head) = waiting.pop() {
+            let mut opened = self.open(head);
+            let is_in_cube = |node: &LightNode| cube_of(node.min.as_ivec3()) == cube_of(node.max.as_ivec3() - 1);
+            let above = opened.nodes.iter().take_while(|node| !is_in_cube(node)).count();
+            waiting.extend(opened.nodes[..above].iter().filter(|node| node.count == 0).map(|node| node.index));
+            if above < opened.nodes.len() {
+                opened.nodes.drain(..above);
+                opened.below.drain(..above);
+                cubes.push((cube_of(opened.leaf[0].voxel), opened));
+                continue;
+            }
+            // Trees of older files have leaves that reach over several cubes.
+            for emitters in opened.leaf.chunk_by(|a, b| cube_of(a.voxel) == cube_of(b.voxel)) {
+                let nodes = vec![leaf_of(emitters, 0)];
+                let leaf = Opened { nodes, below: vec![emitters.len() as u32], leaf: emitters.to_vec() };
+                cubes.push((cube_of(emitters[0].voxel), leaf));
+            }
+        }
+        cubes
+    }
+
+    /// The spine of a cube, after changes of its emitters.
+    fn grown(&mut self, opened: &Opened, changes: &[EmitterChange]) -> Spine {
+        let mut spine = Spine::default();
+        self.grow_spine(opened, 0, changes, &mut spine);
+        spine
+    }
+
+    /// The first node of a spine that is not in the arrays yet.
+    fn root_of(&self, spine: &Spine) -> LightNode {
+        let over = |node, right: &u32| LightNode::over(&node, *right, &self.geometry.light_nodes[*right as usize]);
+        spine.rights.iter().rev().fold(leaf_of(&spine.leaf, 0), over)
+    }
+
+    /// The spine that begins at a node of the tree over cubes, of which these are the spines. What is right of it is put into the arrays.
+    fn spine_over(&mut self, shape: &[Shape], mut at: usize, spines: &[Spine]) -> Spine {
+        let mut spine = Spine::default();
+        loop {
+            match shape[at] {
+                Shape::Inner(right) => {
+                    let right = self.spine_over(shape, right as usize, spines);
+                    spine.rights.extend(self.commit(&right));
+                    at += 1;
+                }
+                Shape::Leaf(cube) => {
+                    let Spine { rights, leaf } = &spines[cube as usize];
+                    spine.rights.extend_from_slice(rights);
+                    spine.leaf.clone_from(leaf);
+                    return spine;
+                }
+            }
+        }
+    }
+
+    /// Applies changes within a cube, in Morton order, to the subtree with this root. Returns the root of the new one, `None` where nothing emits.
+    fn update_cube(&mut self, root: Option<u32>, changes: &[EmitterChange]) -> Option<u32> {
         if changes.is_empty() {
             return root;
         }
@@ -117,7 +213,7 @@ impl Store<'_> {
                 self.gather(node.index, &mut gone);
                 (from, changes) = (from + 1, low);
             } else {
-                let right = self.update_lights(Some(node.index), high).expect("something is left");
+                let right = self.update_cube(Some(node.index), high).expect("something is left");
                 spine.rights.push(right);
                 (from, changes) = (from + 1, low);
             }
@@ -179,7 +275,7 @@ impl Store<'_> {
         spine.leaf = left.to_vec();
     }
 
-    /// The tree over emitters in Morton order. Returns its root, `None` where nothing emits.
+    /// The tree over emitters of a cube, in Morton order. Returns its root, `None` where nothing emits.
     fn build_tree(&mut self, emitters: &[Emitter]) -> Option<u32> {
         match emitters.len() {
             0 => None,

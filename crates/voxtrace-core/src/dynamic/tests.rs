@@ -6,6 +6,7 @@ use super::history::Entry;
 use super::store::BrickCode;
 use super::{DynamicScene, Edit, EditError};
 use crate::frame::{Frame, Integrator};
+use crate::packed::lights_tests::with_halved_trees;
 use crate::packed::{CELL_OCCUPIED, PackedScene};
 use crate::tracer::{Progress, TraceError, Tracer};
 use crate::{CpuTracer, Film};
@@ -176,6 +177,22 @@ fn ten_thousand_edits_and_a_million_rays() {
     fresh.set_scene(&Arc::new(PackedScene::pack(&pair.plain).unwrap())).unwrap();
     let rays = rays(&mut random, 1_000_000, 110);
     assert!(hits(&mut pair.tracer, &rays) == hits(&mut fresh, &rays));
+}
+
+#[test]
+fn a_tree_over_emitters_of_an_older_file_becomes_that_of_packing() {
+    let mut plain = example();
+    let packed = with_halved_trees(&PackedScene::pack(&plain).unwrap());
+    let mut dynamic = DynamicScene::new(packed).unwrap();
+    assert!(dynamic.validate().is_err(), "it is another tree");
+    let shape = Shape::Sphere { center: DVec3::new(11.0, 3.0, 21.0), radius: 4.0 };
+    let fill = |material| Edit::Fill { shape, material };
+    for material in [Some(1), None] {
+        dynamic.edit(0, &fill(material)).unwrap();
+        dynamic.validate().unwrap();
+        edit_plainly(Arc::make_mut(&mut plain.grids[0]), &fill(material));
+    }
+    assert_eq!(dynamic.scene().content_hash(), PackedScene::pack(&plain).unwrap().content_hash());
 }
 
 #[test]

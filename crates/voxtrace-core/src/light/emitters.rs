@@ -20,12 +20,32 @@ fn length_bound(absolute: Vec3) -> f32 {
 /// ones would be chosen visibly worse (`docs/decisions/0081-far-lights-by-their-power.md`).
 pub(super) const FAR_SQUARED: f32 = 36.0;
 
+/// How near a node is taken to be at least along each axis, of half its box: where a receiver lies within a box of emitters or beside it, they are
+/// nearer than its middle is (`docs/decisions/0239-trees-of-lights-that-find-near-lamps.md`).
+pub(super) const LEAST_DISTANCE: f32 = 0.75;
+
+/// The vector whose length is the distance of a node with this half of a box, whose middle lies there from the receiver.
+fn reach(toward: Vec3, half: Vec3) -> Vec3 {
+    toward.abs().max(half * LEAST_DISTANCE)
+}
+
+/// The same were its emitters where its box is nearest, but for this share of half the box.
+pub(super) const NEAREST_SHARE: f32 = 0.03125;
+
+fn nearest(toward: Vec3, half: Vec3) -> Vec3 {
+    (toward.abs() - half).max(half * NEAREST_SHARE)
+}
+
+/// What of a choice among two nodes is by their nearest emitters, to what is by all of them.
+pub(super) const BY_NEAREST: f32 = 0.5;
+
 /// What a node can send to a receiver, both in the same space.
 #[derive(Clone, Copy, Debug)]
 struct View {
-    /// An upper bound of the emitters' cosines over their squared distance, which is not taken below the squared radius of their box. It is 0 only
-    /// where nothing can arrive.
+    /// Power times the emitters' cosines, at most, over their squared distance, that of [`reach`]. It is 0 only where nothing can arrive.
     importance: f32,
+    /// The same with the distance of [`nearest`].
+    of_nearest: f32,
     /// Whether the node lies so far away, and so wholly above the receiver's horizon, that its emitters differ by their power alone.
     is_far: bool,
 }
@@ -39,12 +59,15 @@ fn view(node: &LightNode, receiver: &Receiver) -> View {
     let (far, near) = (toward.length_squared(), half.length_squared());
     let is_far = middle - aside + receiver.slack > 0.0 && far > near * FAR_SQUARED;
     if above <= 0.0 {
-        return View { importance: 0.0, is_far };
+        return View { importance: 0.0, of_nearest: 0.0, is_far };
     }
-    let distance = length_bound(if far > near { toward.abs() } else { half });
+    let reach = reach(toward, half);
+    let distance = length_bound(reach);
     let sent = sum_of_sides(sent_by_side(node, receiver.point, distance));
-    let falloff = reciprocal_guess(far.max(near));
-    View { importance: sent * above.min(distance) * (falloff * falloff), is_far }
+    let falloff = reciprocal_guess(reach.length_squared());
+    let cosines = sent * above.min(distance) * falloff;
+    let of_nearest = cosines * reciprocal_guess(nearest(toward, half).length_squared());
+    View { importance: cosines * falloff, of_nearest, is_far }
 }
 
 /// What a node sends along each of the six directions to a point, up to a common factor: its power times how far the point lies in front of the
@@ -77,6 +100,14 @@ fn weights_of(left: f32, right: f32) -> Option<[f32; 2]> {
     let (left, right) = (normal_or_zero(left), normal_or_zero(right));
     let unit = inverse_power_of_two(left + right);
     (left + right > 0.0).then(|| [normal_or_zero(left * unit), normal_or_zero(right * unit)])
+}
+
+/// Weights of two children as [`weights_of`]. Where their emitters are within a box is not known: beside a lamp in a large box its middle says nothing, so a part of the choice
+/// is by what the nearest ones may send.
+fn weights_of_views(left: View, right: View) -> Option<[f32; 2]> {
+    let [near_left, near_right] = weights_of(left.of_nearest, right.of_nearest)?;
+    let (of_near, of_all) = (near_left + near_right, (left.importance + right.importance) * BY_NEAREST);
+    weights_of(left.importance * of_near + near_left * of_all, right.importance * of_near + near_right * of_all)
 }
 
 /// Luminance of the irradiance of all emitters together, as far as the root of their tree tells: at most, for each of them.
@@ -125,7 +156,7 @@ fn descend(
     while descent.count == 0 && !descent.is_far {
         let (left, right) = (&nodes[descent.node as usize + 1], &nodes[descent.index as usize]);
         let views = [view(left, receiver), view(right, receiver)];
-        let weights = weights_of(views[0].importance, views[1].importance)?;
+        let weights = weights_of_views(views[0], views[1])?;
         let total = weights[0] + weights[1];
         let is_left = match voxel.map(IVec3::as_vec3) {
             // Emitters of two children lie on two sides of a plane.
@@ -156,7 +187,7 @@ fn climb(nodes: &[LightNode], receiver: &Receiver, start: u32, mut descent: Desc
         let is_left = at == up + 1;
         let sibling = &nodes[if is_left { parent.index } else { up + 1 } as usize];
         let (left, right) = if is_left { (node, sibling) } else { (sibling, node) };
-        let weights = weights_of(view(left, receiver).importance, view(right, receiver).importance)?;
+        let weights = weights_of_views(view(left, receiver), view(right, receiver))?;
         descent.weight *= weights[usize::from(!is_left)];
         descent.total *= weights[0] + weights[1];
         (at, node) = (up, parent);
@@ -208,8 +239,7 @@ fn sample_emitter(tree: &EmitterTree, receiver: &Receiver, u: [f32; 4]) -> Optio
 fn choose_side(node: &LightNode, point: Vec3, met: Option<Face>, way: &Descent) -> Option<(Odds, Face)> {
     let half = (node.max - node.min) * 0.5;
     let toward = (node.min + node.max) * 0.5 - point;
-    let is_outside = toward.length_squared() > half.length_squared();
-    let sent = sent_by_side(node, point, length_bound(if is_outside { toward.abs() } else { half }));
+    let sent = sent_by_side(node, point, length_bound(reach(toward, half)));
     let sum = normal_or_zero(sum_of_sides(sent));
     let unit = inverse_power_of_two(sum);
     let total = sum * unit;

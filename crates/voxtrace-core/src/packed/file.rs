@@ -3,6 +3,7 @@
 
 use super::file_error::{FileError, FileErrorKind, damaged};
 use super::instance_record::InstanceRecord;
+use super::lights::halved;
 use super::material_records::{MaterialRecords, MediumRecord};
 use super::parts::kept_instances;
 use super::section_reader::{Reader, geometry_and_placement};
@@ -274,17 +275,26 @@ impl PackedScene {
     }
 
     /// A hash of everything that a picture of the scene depends on: the same scene has the same hash, packed or opened,
-    /// on every machine. The hierarchy over instances is left out: rays find the same through any.
+    /// on every machine. The hierarchy over instances is left out, as rays find the same through any; for the trees over emitters stand those that follow
+    /// from the emitters alone, as light is the same on average by any.
     pub fn content_hash(&self) -> u64 {
         if self.geometry.is_edited {
             return self.compacted().content_hash();
         }
+        let (emitters, light_nodes) = halved(&self.geometry.emitters);
         let (settings, instances) = (Settings::of(self), InstanceRecord::all_of(&self.placement));
         let materials = MaterialRecords::of(&self.geometry.materials);
         let mut hash = Xxh3::new();
         let of_parts = self.geometry.parts.iter().flat_map(|parts| parts.sections());
         let of_normals = self.geometry.normal_section();
-        let sections = sections(self, &settings, &instances, &materials).into_iter().filter(|(tag, ..)| tag != b"INOD");
+        let sections = sections(self, &settings, &instances, &materials)
+            .into_iter()
+            .filter(|(tag, ..)| tag != b"INOD")
+            .map(|section| match &section.0 {
+                b"EMIT" => section_of(b"EMIT", &emitters),
+                b"LNOD" => section_of(b"LNOD", &light_nodes),
+                _ => section,
+            });
         for (tag, record_size, bytes) in sections.chain(of_parts).chain(of_normals) {
             hash.update(&tag);
             hash.update(&record_size.to_le_bytes());

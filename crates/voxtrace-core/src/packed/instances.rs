@@ -1,7 +1,6 @@
 //! The hierarchy over instances: a binary tree of boxes.
 
-use super::median_tree::Shape;
-use super::sah_tree::sah_tree;
+use super::sah_tree::{Boxes, Shape, centers, half_area};
 use super::{InstanceNode, PackedGrid, PackedInstance};
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
@@ -21,7 +20,17 @@ pub(super) fn hierarchy_of(instances: &[PackedInstance], grids: &[PackedGrid]) -
         Shape::Leaf(index) => InstanceNode { min: Vec3::ZERO, index, max: Vec3::ZERO, is_leaf: 1 },
         Shape::Inner(index) => InstanceNode { min: Vec3::ZERO, index, max: Vec3::ZERO, is_leaf: 0 },
     };
-    let mut nodes: Vec<InstanceNode> = sah_tree(&boxes).into_iter().map(node).collect();
+    let (places, weights) = (centers(&boxes), vec![1.0; boxes.len()]);
+    // Each box is as probable to be met as its area is large.
+    let split = Boxes {
+        boxes: &boxes,
+        places: &places,
+        weights: &weights,
+        measure: half_area,
+        most_levels: MAX_INSTANCE_DEPTH,
+        by_planes: false,
+    };
+    let mut nodes: Vec<InstanceNode> = split.tree().into_iter().map(node).collect();
     refit(&mut nodes, &boxes);
     nodes
 }

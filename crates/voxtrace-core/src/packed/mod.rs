@@ -28,7 +28,6 @@ mod lookup;
 mod many_lookups;
 mod material_records;
 mod materials;
-mod median_tree;
 mod memory;
 mod merge;
 mod normals;
@@ -62,7 +61,9 @@ pub use file::MAGIC;
 pub use file_error::{FileError, FileErrorKind};
 pub use geometry::Geometry;
 pub use levels::{LevelCount, LevelListener, LevelProgress, LevelStep, LevelSummary, Levels, MAX_LEVELS, add_levels};
-pub(crate) use lights::{append_lights, covers, deciding_axis, leaf_of};
+#[cfg(test)]
+pub(crate) use lights::tests as lights_tests;
+pub(crate) use lights::{append_lights, covers, cube_of, deciding_axis, leaf_of, tree_of_cubes};
 pub(crate) use lookup::cell_in_node;
 #[doc(hidden)]
 pub use merge::{Lattice, Scatter};
@@ -71,6 +72,7 @@ pub use pack::PackError;
 pub(crate) use pack::pack_grid;
 pub use placement::Placement;
 pub use placement_error::PlacementError;
+pub(crate) use sah_tree::Shape;
 #[doc(hidden)]
 pub use section::Section;
 #[doc(hidden)]

@@ -1,32 +1,46 @@
-//! Binary trees over boxes whose splits make the expected work of a ray least, by the surface area heuristic over bins (Wald, "On fast
-//! Construction of SAH-based Bounding Volume Hierarchies", RT 2007): the shape of the hierarchy over instances. The same on any number of threads.
+//! Binary trees over boxes whose splits have the least cost, over bins (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", RT
+//! 2007): the shape of the hierarchy over instances, where the cost is the expected work of a ray, and of the trees of lights. The same on any number of
+//! threads.
 
-use super::instances::MAX_INSTANCE_DEPTH;
-use super::median_tree::{Shape, halve};
 use glam::Vec3;
 
-/// Bins that centres are counted in along an axis.
+/// Bins that places are counted in along an axis.
 const BINS: usize = 16;
 /// Boxes from this number on are split on other threads too.
 const PARALLEL: usize = 4096;
 
-/// The nodes of a tree over boxes, root first, each subtree whole, at most [`MAX_INSTANCE_DEPTH`] inner nodes above a leaf; empty where there are no
-/// boxes.
-pub(super) fn sah_tree(boxes: &[(Vec3, Vec3)]) -> Vec<Shape> {
-    let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
-    let mut nodes = vec![Shape::Leaf(0); (2 * boxes.len()).saturating_sub(1)];
-    if !order.is_empty() {
-        let centers: Vec<Vec3> = boxes.iter().map(|(low, high)| low + high).collect();
-        Build { boxes, centers: &centers }.split(&mut order, MAX_INSTANCE_DEPTH, 0, &mut nodes);
-    }
-    nodes
+/// A node of a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// A box, by its number.
+    Leaf(u32),
+    /// The left child follows the node; the right one has this number.
+    Inner(u32),
 }
 
 /// What is built over.
-struct Build<'a> {
-    boxes: &'a [(Vec3, Vec3)],
-    /// Twice the centres.
-    centers: &'a [Vec3],
+pub(crate) struct Boxes<'a> {
+    /// Lowest and highest corners.
+    pub boxes: &'a [(Vec3, Vec3)],
+    /// Where planes part them: each box is on the side of its place. Twice the centres, or places in units of one's own.
+    pub places: &'a [Vec3],
+    /// The cost of boxes together is the sum of their weights, times `measure` of the size of the box around them.
+    pub weights: &'a [f32],
+    pub measure: fn(Vec3) -> f32,
+    /// Inner nodes above a leaf, at most.
+    pub most_levels: usize,
+    /// Whether planes alone part boxes, none of which have the same place: then there may be more levels, as many as halve what is between the first and the last place.
+    pub by_planes: bool,
+}
+
+/// Half the area of a box of this size.
+pub(super) fn half_area(size: Vec3) -> f32 {
+    size.x * size.y + size.y * size.z + size.z * size.x
+}
+
+/// Twice the centres of boxes.
+pub(super) fn centers(boxes: &[(Vec3, Vec3)]) -> Vec<Vec3> {
+    boxes.iter().map(|(low, high)| low + high).collect()
 }
 
 /// Boxes together.
@@ -34,23 +48,24 @@ struct Build<'a> {
 struct Bin {
     low: Vec3,
     high: Vec3,
+    weight: f32,
     count: u32,
 }
 
 impl Bin {
-    const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, count: 0 };
+    const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, weight: 0.0, count: 0 };
 
     fn with(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high), count: self.count + other.count }
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+            weight: self.weight + other.weight,
+            count: self.count + other.count,
+        }
     }
 
-    /// The number of boxes, each as probable to be met as the area of all of them is large.
-    fn cost(self) -> f32 {
-        let size = self.high - self.low;
-        match self.count {
-            0 => 0.0,
-            count => (size.x * size.y + size.y * size.z + size.z * size.x) * count as f32,
-        }
+    fn cost(self, measure: fn(Vec3) -> f32) -> f32 {
+        if self.count > 0 { self.weight * measure(self.high - self.low) } else { 0.0 }
     }
 }
 
@@ -66,8 +81,15 @@ struct Plane {
 }
 
 impl Plane {
-    fn bin(&self, center: Vec3) -> usize {
-        (((center[self.axis] - self.low) * self.density) as usize).min(BINS - 1)
+    /// The middle one; `None` where no plane along this axis parts places.
+    fn along(axis: usize, low: Vec3, high: Vec3) -> Option<Self> {
+        let density = BINS as f32 / (high - low)[axis];
+        let is_wide = high[axis] > low[axis] && density.is_finite();
+        is_wide.then_some(Self { axis, low: low[axis], density, bins: BINS / 2 })
+    }
+
+    fn bin(&self, place: Vec3) -> usize {
+        (((place[self.axis] - self.low) * self.density) as usize).min(BINS - 1)
     }
 }
 
@@ -76,7 +98,17 @@ fn levels(count: usize) -> usize {
     count.next_power_of_two().ilog2() as usize
 }
 
-impl Build<'_> {
+impl Boxes<'_> {
+    /// The nodes of the tree, root first, each subtree whole; empty where there are no boxes.
+    pub fn tree(&self) -> Vec<Shape> {
+        let mut order: Vec<u32> = (0..self.boxes.len() as u32).collect();
+        let mut nodes = vec![Shape::Leaf(0); (2 * order.len()).saturating_sub(1)];
+        if !order.is_empty() {
+            self.split(&mut order, self.most_levels, 0, &mut nodes);
+        }
+        nodes
+    }
+
     /// Fills `nodes`, the first of which has the number `first`, with the tree over the boxes of `order`, of at most `left` levels.
     fn split(&self, order: &mut [u32], left: usize, first: u32, nodes: &mut [Shape]) {
         if let [only] = *order {
@@ -84,47 +116,59 @@ impl Build<'_> {
             return;
         }
         // Any split will do where halves of what is left have levels enough.
-        let plane = if levels(order.len()) < left { self.best_plane(order) } else { None };
+        let plane = match levels(order.len()) < left {
+            true => self.best_plane(order),
+            false => self.middle_plane(order).filter(|_| self.by_planes),
+        };
+        let below = left.saturating_sub(1);
         let middle = match plane {
             Some(plane) => self.part(order, plane),
-            None => halve(self.centers, order),
+            None => halve(self.places, self.extent(order), order),
         };
         let (left_order, right_order) = order.split_at_mut(middle);
         // A tree over n boxes has 2n − 1 nodes.
-        let (node, below) = nodes.split_at_mut(1);
-        let (left_nodes, right_nodes) = below.split_at_mut(2 * middle - 1);
+        let (node, others) = nodes.split_at_mut(1);
+        let (left_nodes, right_nodes) = others.split_at_mut(2 * middle - 1);
         let right_at = first + 2 * middle as u32;
         node[0] = Shape::Inner(right_at);
         if left_order.len().min(right_order.len()) >= PARALLEL {
             rayon::join(
-                || self.split(left_order, left - 1, first + 1, left_nodes),
-                || self.split(right_order, left - 1, right_at, right_nodes),
+                || self.split(left_order, below, first + 1, left_nodes),
+                || self.split(right_order, below, right_at, right_nodes),
             );
         } else {
-            self.split(left_order, left - 1, first + 1, left_nodes);
-            self.split(right_order, left - 1, right_at, right_nodes);
+            self.split(left_order, below, first + 1, left_nodes);
+            self.split(right_order, below, right_at, right_nodes);
         }
     }
 
-    /// The plane with the least cost; `None` where all centres are at one place.
-    fn best_plane(&self, order: &[u32]) -> Option<Plane> {
+    /// The least and the greatest place along each axis.
+    fn extent(&self, order: &[u32]) -> (Vec3, Vec3) {
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for &i in order {
-            low = low.min(self.centers[i as usize]);
-            high = high.max(self.centers[i as usize]);
+            low = low.min(self.places[i as usize]);
+            high = high.max(self.places[i as usize]);
         }
+        (low, high)
+    }
+
+    /// The plane in the middle of the axis along which places lie farthest apart; `None` where all are the same.
+    fn middle_plane(&self, order: &[u32]) -> Option<Plane> {
+        let (low, high) = self.extent(order);
+        Plane::along(widest(low, high), low, high)
+    }
+
+    /// The plane with the least cost, the middle one where none can be told; `None` where all places are the same.
+    fn best_plane(&self, order: &[u32]) -> Option<Plane> {
+        let (low, high) = self.extent(order);
         let mut best: Option<(f32, Plane)> = None;
         for axis in 0..3 {
-            let density = BINS as f32 / (high - low)[axis];
-            if !(high[axis] > low[axis] && density.is_finite()) {
-                continue;
-            }
-            let plane = Plane { axis, low: low[axis], density, bins: 0 };
+            let Some(plane) = Plane::along(axis, low, high) else { continue };
             let mut bins = [Bin::EMPTY; BINS];
             for &i in order {
-                let bin = &mut bins[plane.bin(self.centers[i as usize])];
+                let bin = &mut bins[plane.bin(self.places[i as usize])];
                 let (low, high) = self.boxes[i as usize];
-                *bin = bin.with(Bin { low, high, count: 1 });
+                *bin = bin.with(Bin { low, high, weight: self.weights[i as usize], count: 1 });
             }
             let mut right = [Bin::EMPTY; BINS + 1];
             for i in (0..BINS).rev() {
@@ -133,21 +177,21 @@ impl Build<'_> {
             let mut left = Bin::EMPTY;
             for i in 1..BINS {
                 left = left.with(bins[i - 1]);
-                let cost = left.cost() + right[i].cost();
+                let cost = left.cost(self.measure) + right[i].cost(self.measure);
                 let is_split = left.count > 0 && right[i].count > 0;
                 if is_split && cost.is_finite() && best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, Plane { bins: i, ..plane }));
                 }
             }
         }
-        best.map(|(_, plane)| plane)
+        best.map(|(_, plane)| plane).or_else(|| self.middle_plane(order))
     }
 
     /// Puts the boxes before a plane first, and says how many they are.
     fn part(&self, order: &mut [u32], plane: Plane) -> usize {
         let mut middle = 0;
         for i in 0..order.len() {
-            if plane.bin(self.centers[order[i] as usize]) < plane.bins {
+            if plane.bin(self.places[order[i] as usize]) < plane.bins {
                 order.swap(i, middle);
                 middle += 1;
             }
@@ -156,10 +200,32 @@ impl Build<'_> {
     }
 }
 
+/// The axis along which places lie farthest apart.
+fn widest(low: Vec3, high: Vec3) -> usize {
+    (0..3).max_by(|&a, &b| (high - low)[a].total_cmp(&(high - low)[b])).unwrap_or(0)
+}
+
+/// Puts the half of the boxes with the lower places along their widest axis first, and says how many they are.
+fn halve(places: &[Vec3], (low, high): (Vec3, Vec3), order: &mut [u32]) -> usize {
+    let axis = widest(low, high);
+    let half = order.len() / 2;
+    // Only which boxes go where matters, not their order.
+    order.select_nth_unstable_by(half, |&a, &b| {
+        places[a as usize][axis].total_cmp(&places[b as usize][axis]).then(a.cmp(&b))
+    });
+    half
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::median_tree::median_tree;
+    use super::super::instances::MAX_INSTANCE_DEPTH;
     use super::*;
+
+    /// The tree of at most so many levels where each box costs as much as the next one.
+    fn tree(boxes: &[(Vec3, Vec3)], most_levels: usize) -> Vec<Shape> {
+        let (places, weights) = (centers(boxes), vec![1.0; boxes.len()]);
+        Boxes { boxes, places: &places, weights: &weights, measure: half_area, most_levels, by_planes: false }.tree()
+    }
 
     /// Most inner nodes above a leaf, and the expected number of nodes that a ray through the root's box visits, by the areas of their boxes.
     fn measure(shape: &[Shape], boxes: &[(Vec3, Vec3)]) -> (usize, f64) {
@@ -168,7 +234,7 @@ mod tests {
             all[at] = match *node {
                 Shape::Leaf(index) => {
                     let (low, high) = boxes[index as usize];
-                    (Bin { low, high, count: 1 }, 0)
+                    (Bin { low, high, weight: 1.0, count: 1 }, 0)
                 }
                 Shape::Inner(right) => {
                     let (a, b) = (all[at + 1], all[right as usize]);
@@ -176,7 +242,7 @@ mod tests {
                 }
             };
         }
-        let area = |bin: Bin| f64::from(Bin { count: 1, ..bin }.cost());
+        let area = |bin: Bin| f64::from(half_area(bin.high - bin.low));
         (all[0].1, all.iter().map(|(bin, _)| area(*bin)).sum::<f64>() / area(all[0].0))
     }
 
@@ -196,7 +262,7 @@ mod tests {
         for place in places {
             for count in [1, 2, 3, 33, 5000, 65_537] {
                 let boxes = boxes(count, place, |_| 1.0);
-                let shape = sah_tree(&boxes);
+                let shape = tree(&boxes, MAX_INSTANCE_DEPTH);
                 let mut leaves: Vec<u32> = (shape.iter())
                     .filter_map(|node| if let Shape::Leaf(index) = node { Some(*index) } else { None })
                     .collect();
@@ -217,7 +283,10 @@ mod tests {
             cluster + Vec3::new((i * 7919 % 53) as f32, (i * 104_729 % 47) as f32, (i % 13) as f32)
         };
         let boxes = boxes(4000, place, |i| if i % 17 == 0 { 40.0 } else { 3.0 });
-        let (ours, halved) = (measure(&sah_tree(&boxes), &boxes).1, measure(&median_tree(&boxes), &boxes).1);
+        let (ours, halved) = (
+            measure(&tree(&boxes, MAX_INSTANCE_DEPTH), &boxes).1,
+            measure(&tree(&boxes, levels(boxes.len())), &boxes).1,
+        );
         assert!(ours < 0.8 * halved, "{ours} of {halved}");
     }
 }

@@ -1,6 +1,6 @@
 //! Many ways down a tree of lights at once, sixteen in a vector: as one comes to a leaf, another one begins in its lane.
 
-use super::kernel::{Nodes, Receivers, to_array, weights_of};
+use super::kernel::{Nodes, Receivers, to_array, weights_of_views};
 use super::ways::{CHOICE, COUNT, INDEX, NODE, TOTAL, WEIGHT, Ways};
 use crate::packed::LightNode;
 use crate::walk::simd::{Bits, LANES, Row, Simd, lanes_of, prefetch, window};
@@ -120,8 +120,8 @@ unsafe fn step<S: Simd>(s: S, records: &[[Row; 4]], ends_far: Bits, lanes: &mut 
     let (near, far) = (s.add(s.load(&lanes.integers[NODE]), s.ints(1)), s.load(&lanes.integers[INDEX]));
     // SAFETY: the caller's duty; idle lanes stand before the first node.
     let (left, right) = unsafe { (Nodes::gather(s, near, records), Nodes::gather(s, far, records)) };
-    let ((of_left, left_is_far), (of_right, right_is_far)) = (left.view(s, &receivers), right.view(s, &receivers));
-    let (weights, is_possible) = weights_of(s, of_left, of_right);
+    let (of_left, of_right) = (left.view(s, &receivers), right.view(s, &receivers));
+    let (weights, is_possible) = weights_of_views(s, &of_left, &of_right);
     let (weight, total) = (s.load_floats(&lanes.floats[WEIGHT]), s.load_floats(&lanes.floats[TOTAL]));
     let choice = s.load_floats(&lanes.floats[CHOICE]);
     let of_both = s.add_floats(weights[0], weights[1]);
@@ -135,7 +135,7 @@ unsafe fn step<S: Simd>(s: S, records: &[[Row; 4]], ends_far: Bits, lanes: &mut 
     s.store(bytemuck::cast_mut(&mut lanes.floats[TOTAL]), s.bits_of(total));
     s.store(bytemuck::cast_mut(&mut lanes.floats[CHOICE]), s.bits_of(choice));
     let possible = s.both(s.both(s.mask(lanes.active), is_possible), s.lt_floats(zero, weight));
-    let is_far = s.either(s.both(is_left, left_is_far), s.except(right_is_far, is_left));
+    let is_far = s.either(s.both(is_left, of_left.is_far), s.except(of_right.is_far, is_left));
     let is_far = s.both(is_far, s.mask(ends_far));
     let count = s.select(is_far, s.ints(1), s.select(is_left, left.count, right.count));
     let count = s.select(possible, count, s.ints(0));

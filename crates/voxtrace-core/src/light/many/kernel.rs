@@ -1,6 +1,6 @@
 //! What [`super::super::emitters`] computes of nodes, for sixteen receivers at once: the same operations in the same order in each lane.
 
-use super::super::emitters::FAR_SQUARED;
+use super::super::emitters::{BY_NEAREST, FAR_SQUARED, LEAST_DISTANCE, NEAREST_SHARE};
 use super::ways::{NORMAL, POINT, SLACK};
 use crate::walk::simd::{LANES, Row, Simd};
 
@@ -60,11 +60,12 @@ impl<S: Simd> Nodes<S> {
         }
     }
 
-    /// The twin of `view`: the importances, and which are far.
+    /// The twin of `view`.
     #[inline(always)]
-    pub fn view(&self, s: S, receivers: &Receivers<S>) -> (S::Floats, S::Mask) {
+    pub fn view(&self, s: S, receivers: &Receivers<S>) -> Views<S> {
         let Receivers { normal, slack, .. } = receivers;
-        let Spread { toward, half, far, near, distance } = self.spread(s, receivers);
+        let Spread { toward, half, reach } = self.spread(s, receivers);
+        let (far, near, distance) = (dot(s, &toward, &toward), dot(s, &half, &half), length_bound(s, &reach));
         let zero = s.floats(0.0);
         let steep = [s.abs(normal[0]), s.abs(normal[1]), s.abs(normal[2])];
         let (middle, aside) = (dot(s, &toward, normal), dot(s, &half, &steep));
@@ -73,27 +74,30 @@ impl<S: Simd> Nodes<S> {
         let is_outside = s.lt_floats(s.mul_floats(near, s.floats(FAR_SQUARED)), far);
         let is_far = s.both(s.lt_floats(zero, lowest), is_outside);
         let sent = sum_of_sides(s, self.sent_by_side(s, receivers, distance));
-        let falloff = reciprocal_guess(s, s.max(far, near));
-        let seen = s.mul_floats(s.mul_floats(sent, s.min(above, distance)), s.mul_floats(falloff, falloff));
-        (s.select_floats(s.lt_floats(zero, above), seen, zero), is_far)
+        let falloff = reciprocal_guess(s, dot(s, &reach, &reach));
+        let cosines = s.mul_floats(s.mul_floats(sent, s.min(above, distance)), falloff);
+        let cosines = s.select_floats(s.lt_floats(zero, above), cosines, zero);
+        let mut nearest = [zero; 3];
+        for axis in 0..3 {
+            let share = s.mul_floats(half[axis], s.floats(NEAREST_SHARE));
+            nearest[axis] = s.max(s.sub_floats(s.abs(toward[axis]), half[axis]), share);
+        }
+        let of_nearest = s.mul_floats(cosines, reciprocal_guess(s, dot(s, &nearest, &nearest)));
+        Views { importance: s.mul_floats(cosines, falloff), of_nearest, is_far }
     }
 
     /// How large the boxes are, and where they lie from the receivers.
     #[inline(always)]
     fn spread(&self, s: S, receivers: &Receivers<S>) -> Spread<S> {
         let (zero, one_half) = (s.floats(0.0), s.floats(0.5));
-        let (mut half, mut toward, mut longer) = ([zero; 3], [zero; 3], [zero; 3]);
+        let (mut half, mut toward, mut reach) = ([zero; 3], [zero; 3], [zero; 3]);
         for axis in 0..3 {
             half[axis] = s.mul_floats(s.sub_floats(self.max[axis], self.min[axis]), one_half);
             let middle = s.mul_floats(s.add_floats(self.min[axis], self.max[axis]), one_half);
             toward[axis] = s.sub_floats(middle, receivers.point[axis]);
+            reach[axis] = s.max(s.abs(toward[axis]), s.mul_floats(half[axis], s.floats(LEAST_DISTANCE)));
         }
-        let (far, near) = (dot(s, &toward, &toward), dot(s, &half, &half));
-        let is_outside = s.lt_floats(near, far);
-        for axis in 0..3 {
-            longer[axis] = s.select_floats(is_outside, s.abs(toward[axis]), half[axis]);
-        }
-        Spread { toward, half, far, near, distance: length_bound(s, &longer) }
+        Spread { toward, half, reach }
     }
 
     /// The twin of `sent_by_side`.
@@ -115,7 +119,7 @@ impl<S: Simd> Nodes<S> {
     #[inline(always)]
     pub fn choose_side(&self, s: S, receivers: &Receivers<S>, [weight, total, choice]: [S::Floats; 3]) -> Sides<S> {
         let zero = s.floats(0.0);
-        let sent = self.sent_by_side(s, receivers, self.spread(s, receivers).distance);
+        let sent = self.sent_by_side(s, receivers, length_bound(s, &self.spread(s, receivers).reach));
         let sum = normal_or_zero(s, sum_of_sides(s, sent));
         let unit = inverse_power_of_two(s, sum);
         let of_all = s.mul_floats(sum, unit);
@@ -135,14 +139,19 @@ impl<S: Simd> Nodes<S> {
     }
 }
 
-/// Of sixteen nodes and receivers, with the middle of a box from the receiver and half its diagonal: both, their squared lengths, and a bound of the
-/// longer one.
+/// What sixteen nodes can send to as many receivers, and which of them are far.
+#[derive(Clone, Copy)]
+pub struct Views<S: Simd> {
+    importance: S::Floats,
+    of_nearest: S::Floats,
+    pub is_far: S::Mask,
+}
+
+/// Of sixteen nodes and receivers: the middle of a box from the receiver, half its diagonal, and the vector whose length is the distance.
 struct Spread<S: Simd> {
     toward: [S::Floats; 3],
     half: [S::Floats; 3],
-    far: S::Floats,
-    near: S::Floats,
-    distance: S::Floats,
+    reach: [S::Floats; 3],
 }
 
 /// Sixteen chosen sides.
@@ -189,12 +198,23 @@ fn sum_of_sides<S: Simd>(s: S, sent: [S::Floats; 6]) -> S::Floats {
 
 /// The twin of `weights_of`: the weights, and the lanes that have any.
 #[inline(always)]
-pub fn weights_of<S: Simd>(s: S, left: S::Floats, right: S::Floats) -> ([S::Floats; 2], S::Mask) {
+fn weights_of<S: Simd>(s: S, left: S::Floats, right: S::Floats) -> ([S::Floats; 2], S::Mask) {
     let (left, right) = (normal_or_zero(s, left), normal_or_zero(s, right));
     let sum = s.add_floats(left, right);
     let unit = inverse_power_of_two(s, sum);
     let weights = [s.mul_floats(left, unit), s.mul_floats(right, unit)];
     ([normal_or_zero(s, weights[0]), normal_or_zero(s, weights[1])], s.lt_floats(s.floats(0.0), sum))
+}
+
+/// The twin of `weights_of_views`: the weights, and the lanes that have any.
+#[inline(always)]
+pub fn weights_of_views<S: Simd>(s: S, left: &Views<S>, right: &Views<S>) -> ([S::Floats; 2], S::Mask) {
+    let ([near_left, near_right], is_possible) = weights_of(s, left.of_nearest, right.of_nearest);
+    let of_near = s.add_floats(near_left, near_right);
+    let of_all = s.mul_floats(s.add_floats(left.importance, right.importance), s.floats(BY_NEAREST));
+    let both = |view: &Views<S>, near| s.add_floats(s.mul_floats(view.importance, of_near), s.mul_floats(near, of_all));
+    let (weights, have_any) = weights_of(s, both(left, near_left), both(right, near_right));
+    (weights, s.both(is_possible, have_any))
 }
 
 /// What is too small for a normal number is 0.

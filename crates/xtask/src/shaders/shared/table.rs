@@ -95,7 +95,10 @@ pub const TABLE: &[Source] = &[
     Source { file: "voxtrace-core/src/medium/mod.rs", items: &[same("FEW")] },
     Source { file: "voxtrace-core/src/medium/phase.rs", items: &[same("ISOTROPIC")] },
     Source { file: "voxtrace-core/src/medium/shadow.rs", items: &[same("MAX_BOUNDARIES")] },
-    Source { file: "voxtrace-core/src/light/emitters.rs", items: &[same("FAR_SQUARED")] },
+    Source {
+        file: "voxtrace-core/src/light/emitters.rs",
+        items: &[same("FAR_SQUARED"), same("LEAST_DISTANCE"), same("NEAREST_SHARE"), same("BY_NEAREST")],
+    },
     Source {
         file: "voxtrace-core/src/light/mod.rs",
         items: &[same("BELOW_ONE"), named("Receiver::ALL_AROUND", "ALL_AROUND")],
