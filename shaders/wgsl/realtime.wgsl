@@ -901,17 +901,13 @@ fn with_slack_0( receiver_2 : Receiver_0,  cos_1 : f32) -> f32
 
 fn reach_of_0( toward_0 : vec3<f32>,  half_0 : vec3<f32>) -> vec3<f32>
 {
-    return max(abs(toward_0), half_0 * vec3<f32>(0.75f));
+    return max(abs(toward_0), half_0);
 }
 
-fn max_element_0( vector_1 : vec3<f32>) -> f32
+fn reciprocal_guess_0( x_6 : f32) -> f32
 {
-    return max(max(vector_1.x, vector_1.y), vector_1.z);
-}
-
-fn length_bound_0( absolute_0 : vec3<f32>) -> f32
-{
-    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_6))))));
+    return guess_2 * (2.0f - x_6 * guess_2);
 }
 
 struct BySide_0
@@ -928,23 +924,16 @@ fn BySide_x24init_0( low_1 : vec3<f32>,  high_1 : vec3<f32>) -> BySide_0
     return _S66;
 }
 
-fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_0 : f32) -> BySide_0
+fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>) -> BySide_0
 {
     var _S67 : vec3<f32> = vec3<f32>(0.0f);
-    var _S68 : vec3<f32> = vec3<f32>(distance_0);
-    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * min(max(vector_of_0(node_1.max_0) - point_2, _S67), _S68), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_0), _S67), _S68));
+    return BySide_x24init_0(vec3<f32>(node_1.power_2[i32(0)], node_1.power_2[i32(2)], node_1.power_2[i32(4)]) * max(vector_of_0(node_1.max_0) - point_2, _S67), vec3<f32>(node_1.power_2[i32(1)], node_1.power_2[i32(3)], node_1.power_2[i32(5)]) * max(point_2 - vector_of_0(node_1.min_0), _S67));
 }
 
 fn BySide_sum_0( this_9 : BySide_0) -> f32
 {
     var axes_0 : vec3<f32> = this_9.low_0 + this_9.high_0;
     return axes_0.x + axes_0.y + axes_0.z;
-}
-
-fn reciprocal_guess_0( x_6 : f32) -> f32
-{
-    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_6))))));
-    return guess_2 * (2.0f - x_6 * guess_2);
 }
 
 fn nearest_of_0( toward_1 : vec3<f32>,  half_1 : vec3<f32>) -> vec3<f32>
@@ -954,24 +943,24 @@ fn nearest_of_0( toward_1 : vec3<f32>,  half_1 : vec3<f32>) -> vec3<f32>
 
 fn View_x24init_0( importance_1 : f32,  of_nearest_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S69 : View_0;
-    _S69.importance_0 = importance_1;
-    _S69.of_nearest_0 = of_nearest_1;
-    _S69.is_far_0 = is_far_1;
-    return _S69;
+    var _S68 : View_0;
+    _S68.importance_0 = importance_1;
+    _S68.of_nearest_0 = of_nearest_1;
+    _S68.is_far_0 = is_far_1;
+    return _S68;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S70 : vec3<f32> = vector_of_0(node_2.max_0);
-    var _S71 : vec3<f32> = vector_of_0(node_2.min_0);
-    var _S72 : vec3<f32> = vec3<f32>(0.5f);
-    var half_2 : vec3<f32> = (_S70 - _S71) * _S72;
-    var toward_2 : vec3<f32> = (_S71 + _S70) * _S72 - receiver_3.point_0;
+    var _S69 : vec3<f32> = vector_of_0(node_2.max_0);
+    var _S70 : vec3<f32> = vector_of_0(node_2.min_0);
+    var _S71 : vec3<f32> = vec3<f32>(0.5f);
+    var half_2 : vec3<f32> = (_S69 - _S70) * _S71;
+    var toward_2 : vec3<f32> = (_S70 + _S69) * _S71 - receiver_3.point_0;
     var middle_0 : f32 = dot_product_0(toward_2, receiver_3.normal_1);
     var aside_0 : f32 = dot_product_0(half_2, abs(receiver_3.normal_1));
     var above_0 : f32 = with_slack_0(receiver_3, middle_0 + aside_0);
-    var far_0 : f32 = length_squared_0(toward_2);
+    var far_0 : f32 = length_squared_0(reach_of_0(toward_2, half_2));
     var near_0 : f32 = length_squared_0(half_2);
     var is_far_2 : bool;
     if((with_slack_0(receiver_3, middle_0 - aside_0)) > 0.0f)
@@ -982,14 +971,11 @@ fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     {
         is_far_2 = false;
     }
-    var reach_0 : vec3<f32> = reach_of_0(toward_2, half_2);
-    var distance_1 : f32 = length_bound_0(reach_0);
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0, distance_1));
-    var falloff_0 : f32 = reciprocal_guess_0(length_squared_0(reach_0));
+    var falloff_0 : f32 = reciprocal_guess_0(far_0);
     var cosines_0 : f32;
     if(above_0 > 0.0f)
     {
-        cosines_0 = sent_0 * min(above_0, distance_1) * falloff_0;
+        cosines_0 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0)) * above_0 * falloff_0;
     }
     else
     {
@@ -1034,25 +1020,25 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S73 : bool;
+    var _S72 : bool;
     if(SKY_0 == u32(1))
     {
-        _S73 = (params_0.sky_irradiance_0) > 0.0f;
+        _S72 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S73 = false;
+        _S72 = false;
     }
-    return _S73;
+    return _S72;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S74 : Selection_0;
-    _S74.sun_0 = sun_1;
-    _S74.sky_1 = sky_2;
-    _S74.emitters_0 = emitters_1;
-    return _S74;
+    var _S73 : Selection_0;
+    _S73.sun_0 = sun_1;
+    _S73.sky_1 = sky_2;
+    _S73.emitters_0 = emitters_1;
+    return _S73;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -1082,8 +1068,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S75 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S75, sky_3, (1.0f - sun_2) * _S75);
+    var _S74 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S74, sky_3, (1.0f - sun_2) * _S74);
 }
 
 fn Path_selection_at_0( this_10 : Path_0,  last_1 : Receiver_0) -> Selection_0
@@ -1100,30 +1086,30 @@ fn Environment_pdf_0( direction_10 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_11 : vec3<f32>) -> f32
 {
-    var _S76 : f32;
+    var _S75 : f32;
     if(SKY_0 == u32(1))
     {
-        _S76 = Environment_pdf_0(direction_11);
+        _S75 = Environment_pdf_0(direction_11);
+    }
+    else
+    {
+        _S75 = 0.0f;
+    }
+    return _S75;
+}
+
+fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_12 : vec3<f32>) -> f32
+{
+    var _S76 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S76 = Sky_pdf_0(direction_12) * selection_1.sky_1;
     }
     else
     {
         _S76 = 0.0f;
     }
     return _S76;
-}
-
-fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_12 : vec3<f32>) -> f32
-{
-    var _S77 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S77 = Sky_pdf_0(direction_12) * selection_1.sky_1;
-    }
-    else
-    {
-        _S77 = 0.0f;
-    }
-    return _S77;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
@@ -1134,16 +1120,16 @@ fn power_heuristic_0( own_0 : f32,  other_0 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S78 : bool;
+    var _S77 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S78 = true;
+        _S77 = true;
     }
     else
     {
-        _S78 = light_pdf_0 == 0.0f;
+        _S77 = light_pdf_0 == 0.0f;
     }
-    if(_S78)
+    if(_S77)
     {
         return 1.0f;
     }
@@ -1157,24 +1143,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_11 : Path_0) -> bool
 {
-    var _S79 : bool;
+    var _S78 : bool;
     if((this_11.bounce_0) == u32(0))
     {
-        _S79 = (this_11.pdf_1) == 0.0f;
+        _S78 = (this_11.pdf_1) == 0.0f;
     }
     else
     {
-        _S79 = false;
+        _S78 = false;
     }
-    if(_S79)
+    if(_S78)
     {
-        _S79 = (all(((this_11.normal_0) == vec3<f32>(0.0f))));
+        _S78 = (all(((this_11.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S79 = false;
+        _S78 = false;
     }
-    return _S79;
+    return _S78;
 }
 
 fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
@@ -1184,44 +1170,49 @@ fn SunDisc_contains_0( direction_13 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_14 : vec3<f32>) -> vec3<f32>
 {
-    var _S80 : vec3<f32>;
+    var _S79 : vec3<f32>;
     if(SunDisc_contains_0(direction_14))
     {
-        _S80 = params_0.sun_radiance_0;
+        _S79 = params_0.sun_radiance_0;
     }
     else
     {
-        _S80 = vec3<f32>(0.0f);
+        _S79 = vec3<f32>(0.0f);
     }
-    return _S80;
+    return _S79;
+}
+
+fn max_element_0( vector_1 : vec3<f32>) -> f32
+{
+    return max(max(vector_1.x, vector_1.y), vector_1.z);
 }
 
 fn SunDisc_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S81 : f32;
+    var _S80 : f32;
     if(SunDisc_contains_0(direction_15))
     {
-        _S81 = params_0.sun_pdf_0;
+        _S80 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S80 = 0.0f;
+    }
+    return _S80;
+}
+
+fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_16 : vec3<f32>) -> f32
+{
+    var _S81 : f32;
+    if(has_sun_0())
+    {
+        _S81 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
     }
     else
     {
         _S81 = 0.0f;
     }
     return _S81;
-}
-
-fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_16 : vec3<f32>) -> f32
-{
-    var _S82 : f32;
-    if(has_sun_0())
-    {
-        _S82 = SunDisc_pdf_0(direction_16) * selection_2.sun_0;
-    }
-    else
-    {
-        _S82 = 0.0f;
-    }
-    return _S82;
 }
 
 fn Path_events_0( this_12 : Path_0) -> u32
@@ -1284,36 +1275,36 @@ fn Rows_operatorx5Bx5D_get_3( row_4 : u32) -> vec4<u32>
 fn Grids_operatorx5Bx5D_get_0( index_5 : u32) -> PackedGrid_0
 {
     var row_5 : u32 = u32(5) * index_5;
-    var _S83 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5);
-    var _S84 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(1));
-    var _S85 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(2));
-    var _S86 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(3));
+    var _S82 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5);
+    var _S83 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(1));
+    var _S84 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(2));
+    var _S85 : vec4<u32> = Rows_operatorx5Bx5D_get_3(row_5 + u32(3));
     var grid_2 : PackedGrid_0;
-    var _S87 : i32 = i32(_S83.y);
-    var _S88 : i32 = i32(_S83.z);
-    grid_2.origin_4[i32(0)] = i32(_S83.x);
-    grid_2.origin_4[i32(1)] = _S87;
-    grid_2.origin_4[i32(2)] = _S88;
-    grid_2.top_shift_0 = _S83.w;
-    var _S89 : i32 = i32(_S84.y);
-    var _S90 : i32 = i32(_S84.z);
-    grid_2.top_size_0[i32(0)] = i32(_S84.x);
-    grid_2.top_size_0[i32(1)] = _S89;
-    grid_2.top_size_0[i32(2)] = _S90;
-    grid_2.top_offset_0 = _S84.w;
-    var _S91 : i32 = i32(_S85.y);
-    var _S92 : i32 = i32(_S85.z);
-    grid_2.min_1[i32(0)] = i32(_S85.x);
-    grid_2.min_1[i32(1)] = _S91;
-    grid_2.min_1[i32(2)] = _S92;
-    var _S93 : u32 = _S86.x;
-    grid_2.voxels_1[i32(0)] = _S85.w;
-    grid_2.voxels_1[i32(1)] = _S93;
-    var _S94 : i32 = i32(_S86.z);
-    var _S95 : i32 = i32(_S86.w);
-    grid_2.max_1[i32(0)] = i32(_S86.y);
-    grid_2.max_1[i32(1)] = _S94;
-    grid_2.max_1[i32(2)] = _S95;
+    var _S86 : i32 = i32(_S82.y);
+    var _S87 : i32 = i32(_S82.z);
+    grid_2.origin_4[i32(0)] = i32(_S82.x);
+    grid_2.origin_4[i32(1)] = _S86;
+    grid_2.origin_4[i32(2)] = _S87;
+    grid_2.top_shift_0 = _S82.w;
+    var _S88 : i32 = i32(_S83.y);
+    var _S89 : i32 = i32(_S83.z);
+    grid_2.top_size_0[i32(0)] = i32(_S83.x);
+    grid_2.top_size_0[i32(1)] = _S88;
+    grid_2.top_size_0[i32(2)] = _S89;
+    grid_2.top_offset_0 = _S83.w;
+    var _S90 : i32 = i32(_S84.y);
+    var _S91 : i32 = i32(_S84.z);
+    grid_2.min_1[i32(0)] = i32(_S84.x);
+    grid_2.min_1[i32(1)] = _S90;
+    grid_2.min_1[i32(2)] = _S91;
+    var _S92 : u32 = _S85.x;
+    grid_2.voxels_1[i32(0)] = _S84.w;
+    grid_2.voxels_1[i32(1)] = _S92;
+    var _S93 : i32 = i32(_S85.z);
+    var _S94 : i32 = i32(_S85.w);
+    grid_2.max_1[i32(0)] = i32(_S85.y);
+    grid_2.max_1[i32(1)] = _S93;
+    grid_2.max_1[i32(2)] = _S94;
     grid_2.material_bits_0 = Rows_operatorx5Bx5D_get_3(row_5 + u32(4)).x;
     return grid_2;
 }
@@ -1343,31 +1334,31 @@ fn cell_in_node_0( relative_0 : vec3<i32>,  shift_0 : u32) -> u32
 
 fn record_of_cell_0( cell_1 : u32) -> u32
 {
-    var _S96 : u32;
+    var _S95 : u32;
     if(CELLS_HAVE_BLOCKS_0)
     {
-        _S96 = u32(8388607);
+        _S95 = u32(8388607);
     }
     else
     {
-        _S96 = u32(2147483647);
+        _S95 = u32(2147483647);
     }
-    return ((cell_1 & (_S96))) * u32(2);
+    return ((cell_1 & (_S95))) * u32(2);
 }
 
 fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
 {
     var top_0 : vec3<i32> = (relative_1 >> (vec3<u32>(grid_3.top_shift_0)));
-    var _S97 : bool;
+    var _S96 : bool;
     if((any((top_0 < vec3<i32>(i32(0))))))
     {
-        _S97 = true;
+        _S96 = true;
     }
     else
     {
-        _S97 = (any((top_0 >= (cell_of_0(grid_3.top_size_0)))));
+        _S96 = (any((top_0 >= (cell_of_0(grid_3.top_size_0)))));
     }
-    if(_S97)
+    if(_S96)
     {
         return u32(4294967295);
     }
@@ -1377,13 +1368,13 @@ fn find_brick_0( grid_3 : PackedGrid_0,  relative_1 : vec3<i32>) -> u32
     {
         if(shift_1 > u32(3))
         {
-            _S97 = ((cell_2 & (u32(2147483648)))) != u32(0);
+            _S96 = ((cell_2 & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S97 = false;
+            _S96 = false;
         }
-        if(_S97)
+        if(_S96)
         {
         }
         else
@@ -1430,20 +1421,20 @@ fn rank_in_brick_0( record_0 : u32,  relative_2 : vec3<i32>) -> u32
         {
             break;
         }
-        var _S98 : u32 = u32(2) * index_10;
-        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S98)) + countOneBits(brick_word_0(record_0 + u32(3) + _S98)));
+        var _S97 : u32 = u32(2) * index_10;
+        var rank_1 : u32 = rank_0 + (countOneBits(brick_word_0(record_0 + u32(2) + _S97)) + countOneBits(brick_word_0(record_0 + u32(3) + _S97)));
         index_10 = index_10 + u32(1);
         rank_0 = rank_1;
     }
-    var _S99 : u32 = u32(2) * present_before_0;
-    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S99);
+    var _S98 : u32 = u32(2) * present_before_0;
+    var low_2 : u32 = brick_word_0(record_0 + u32(2) + _S98);
     if(bit_0 < u32(32))
     {
         rank_0 = rank_0 + countOneBits((low_2 & ((((u32(1) << (bit_0))) - u32(1)))));
     }
     else
     {
-        rank_0 = rank_0 + (countOneBits(low_2) + countOneBits(((brick_word_0(record_0 + u32(3) + _S99)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
+        rank_0 = rank_0 + (countOneBits(low_2) + countOneBits(((brick_word_0(record_0 + u32(3) + _S98)) & ((((u32(1) << ((bit_0 - u32(32))))) - u32(1))))));
     }
     return rank_0;
 }
@@ -1501,8 +1492,8 @@ fn material_at_0( grid_5 : PackedGrid_0,  relative_3 : vec3<i32>) -> u32
 
 fn material_of_0( hit_0 : Hit_0) -> PackedMaterial_0
 {
-    var _S100 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_0.instance_1).grid_0);
-    return material_of_index_0(material_at_0(_S100, hit_0.voxel_1 - cell_of_0(_S100.origin_4)));
+    var _S99 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(hit_0.instance_1).grid_0);
+    return material_of_index_0(material_at_0(_S99, hit_0.voxel_1 - cell_of_0(_S99.origin_4)));
 }
 
 fn material_met_0( path_3 : Path_0,  hit_1 : Hit_0,  beyond_1 : u32) -> PackedMaterial_0
@@ -1535,12 +1526,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_18 : vec3<f32>,  hit_3 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S101 : Aim_0;
-    _S101.is_met_0 = is_met_1;
-    _S101.direction_17 = direction_18;
-    _S101.hit_2 = hit_3;
-    _S101.luminance_1 = luminance_2;
-    return _S101;
+    var _S100 : Aim_0;
+    _S100.is_met_0 = is_met_1;
+    _S100.direction_17 = direction_18;
+    _S100.hit_2 = hit_3;
+    _S100.luminance_1 = luminance_2;
+    return _S100;
 }
 
 struct LightSample_0
@@ -1553,28 +1544,28 @@ struct LightSample_0
 
 fn Ray_x24init_0( origin_5 : vec3<f32>,  t_min_1 : f32,  direction_19 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S102 : Ray_0;
-    _S102.origin_1 = origin_5;
-    _S102.t_min_0 = t_min_1;
-    _S102.direction_1 = direction_19;
-    _S102.t_max_0 = t_max_1;
-    return _S102;
+    var _S101 : Ray_0;
+    _S101.origin_1 = origin_5;
+    _S101.t_min_0 = t_min_1;
+    _S101.direction_1 = direction_19;
+    _S101.t_max_0 = t_max_1;
+    return _S101;
 }
 
 fn LightSample_x24init_0( ray_5 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S103 : LightSample_0;
-    _S103.ray_4 = ray_5;
-    _S103.cos_theta_1 = cos_theta_2;
-    _S103.radiance_1 = radiance_2;
-    _S103.pdf_2 = pdf_3;
-    return _S103;
+    var _S102 : LightSample_0;
+    _S102.ray_4 = ray_5;
+    _S102.cos_theta_1 = cos_theta_2;
+    _S102.radiance_1 = radiance_2;
+    _S102.pdf_2 = pdf_3;
+    return _S102;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S104 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S104, 0.0f, _S104, 0.0f), 0.0f, _S104, 0.0f);
+    var _S103 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S103, 0.0f, _S103, 0.0f), 0.0f, _S103, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1630,36 +1621,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_23 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S105 : ChosenDirection_0;
-    _S105.direction_22 = direction_23;
-    _S105.radiance_3 = radiance_4;
-    _S105.pdf_4 = pdf_5;
-    return _S105;
+    var _S104 : ChosenDirection_0;
+    _S104.direction_22 = direction_23;
+    _S104.radiance_3 = radiance_4;
+    _S104.pdf_4 = pdf_5;
+    return _S104;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_4 : f32 = square_0.x * 2.0f - 1.0f;
     var v_4 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S106 : f32 = abs(u_4);
-    var _S107 : f32 = abs(v_4);
-    var height_1 : f32 = 1.0f - (_S106 + _S107);
+    var _S105 : f32 = abs(u_4);
+    var _S106 : f32 = abs(v_4);
+    var height_1 : f32 = 1.0f - (_S105 + _S106);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S107 - _S106, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S106 - _S105, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S108 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S108);
+    var _S107 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S107);
     var x_8 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S108;
+    var z_0 : f32 = 1.0f - _S107;
     if(u_4 < 0.0f)
     {
         turns_2 = - x_8;
@@ -1668,45 +1659,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_8;
     }
-    var _S109 : f32;
+    var _S108 : f32;
     if(v_4 < 0.0f)
     {
-        _S109 = - y_4;
+        _S108 = - y_4;
     }
     else
     {
-        _S109 = y_4;
+        _S108 = y_4;
     }
-    var _S110 : f32;
+    var _S109 : f32;
     if(height_1 < 0.0f)
     {
-        _S110 = - z_0;
+        _S109 = - z_0;
     }
     else
     {
-        _S110 = z_0;
+        _S109 = z_0;
     }
-    return vec3<f32>(turns_2, _S109, _S110);
+    return vec3<f32>(turns_2, _S108, _S109);
 }
 
 fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S111 : f32 = d_2.x;
-    var _S112 : f32 = d_2.y;
-    return vec3<f32>(_S111 * cos_3 + _S112 * sin_2, _S112 * cos_3 - _S111 * sin_2, d_2.z);
+    var _S110 : f32 = d_2.x;
+    var _S111 : f32 = d_2.y;
+    return vec3<f32>(_S110 * cos_3 + _S111 * sin_2, _S111 * cos_3 - _S110 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S113 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S113, _S113, 0.0f);
+    var _S112 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S112, _S112, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S114 : f32 = u_5.x * edge_0;
-    var _S115 : f32 = edge_0 - 1.0f;
-    var _S116 : f32 = min(floor(_S114), _S115);
-    var own_1 : u32 = u32(_S116) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S115));
+    var _S113 : f32 = u_5.x * edge_0;
+    var _S114 : f32 = edge_0 - 1.0f;
+    var _S115 : f32 = min(floor(_S113), _S114);
+    var own_1 : u32 = u32(_S115) * params_0.sky_edge_0 + u32(min(floor(u_5.y * edge_0), _S114));
     var index_14 : u32;
     if((u_5.z) < (environment_0[own_1].threshold_0))
     {
@@ -1721,10 +1712,10 @@ fn Environment_choose_0( u_5 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S117 : u32 = index_14 % params_0.sky_edge_0;
-    var _S118 : f32 = f32(_S117);
-    var _S119 : u32 = index_14 / params_0.sky_edge_0;
-    var place_2 : vec2<f32> = vec2<f32>(_S118, f32(_S119)) + vec2<f32>(min(_S114 - _S116, 1.0f), u_5.w);
+    var _S116 : u32 = index_14 % params_0.sky_edge_0;
+    var _S117 : f32 = f32(_S116);
+    var _S118 : u32 = index_14 / params_0.sky_edge_0;
+    var place_2 : vec2<f32> = vec2<f32>(_S117, f32(_S118)) + vec2<f32>(min(_S113 - _S115, 1.0f), u_5.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_2 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_2), pdf_6);
     return true;
 }
@@ -1733,17 +1724,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_6 : vec4<f32>,  sample_3 : ptr<fun
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S120 : bool;
+    var _S119 : bool;
     if(SKY_0 != u32(1))
     {
-        _S120 = true;
+        _S119 = true;
     }
     else
     {
-        var _S121 : bool = Environment_choose_0(u_6, &(chosen_1));
-        _S120 = !_S121;
+        var _S120 : bool = Environment_choose_0(u_6, &(chosen_1));
+        _S119 = !_S120;
     }
-    if(_S120)
+    if(_S119)
     {
         return false;
     }
@@ -1765,15 +1756,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S122 : Descent_0;
-    _S122.node_3 = node_4;
-    _S122.index_15 = index_16;
-    _S122.count_2 = count_3;
-    _S122.weight_0 = weight_1;
-    _S122.total_0 = total_1;
-    _S122.choice_0 = choice_1;
-    _S122.is_far_3 = is_far_4;
-    return _S122;
+    var _S121 : Descent_0;
+    _S121.node_3 = node_4;
+    _S121.index_15 = index_16;
+    _S121.count_2 = count_3;
+    _S121.weight_0 = weight_1;
+    _S121.total_0 = total_1;
+    _S121.choice_0 = choice_1;
+    _S121.is_far_3 = is_far_4;
+    return _S121;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -1795,16 +1786,16 @@ fn Descent_at_0( this_16 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S123 : f32;
+    var _S122 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S123 = 0.0f;
+        _S122 = 0.0f;
     }
     else
     {
-        _S123 = weight_2;
+        _S122 = weight_2;
     }
-    return _S123;
+    return _S122;
 }
 
 fn inverse_power_of_two_0( x_9 : f32) -> f32
@@ -1814,20 +1805,20 @@ fn inverse_power_of_two_0( x_9 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S124 : f32 = normal_or_zero_0(left_0);
-    var _S125 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S124 + _S125);
-    return vec2<f32>(normal_or_zero_0(_S124 * unit_0), normal_or_zero_0(_S125 * unit_0));
+    var _S123 : f32 = normal_or_zero_0(left_0);
+    var _S124 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S123 + _S124);
+    return vec2<f32>(normal_or_zero_0(_S123 * unit_0), normal_or_zero_0(_S124 * unit_0));
 }
 
 fn weights_of_views_0( left_1 : View_0,  right_1 : View_0) -> vec2<f32>
 {
     var near_1 : vec2<f32> = weights_of_0(left_1.of_nearest_0, right_1.of_nearest_0);
-    var _S126 : f32 = near_1.x;
-    var _S127 : f32 = near_1.y;
-    var of_near_0 : f32 = _S126 + _S127;
+    var _S125 : f32 = near_1.x;
+    var _S126 : f32 = near_1.y;
+    var of_near_0 : f32 = _S125 + _S126;
     var of_all_0 : f32 = (left_1.importance_0 + right_1.importance_0) * 0.5f;
-    return weights_of_0(left_1.importance_0 * of_near_0 + _S126 * of_all_0, right_1.importance_0 * of_near_0 + _S127 * of_all_0);
+    return weights_of_0(left_1.importance_0 * of_near_0 + _S125 * of_all_0, right_1.importance_0 * of_near_0 + _S126 * of_all_0);
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -1836,7 +1827,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
     var at_0 : u32 = start_2;
     for(;;)
     {
-        var _S128 : LightNode_0 = node_6;
+        var _S127 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -1844,20 +1835,20 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S128.parent_0);
-        var _S129 : u32 = _S128.parent_0 + u32(1);
-        var is_left_0 : bool = at_0 == _S129;
-        var _S130 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S127.parent_0);
+        var _S128 : u32 = _S127.parent_0 + u32(1);
+        var is_left_0 : bool = at_0 == _S128;
+        var _S129 : u32;
         if(is_left_0)
         {
-            _S130 = parent_1.index_2;
+            _S129 = parent_1.index_2;
         }
         else
         {
-            _S130 = _S129;
+            _S129 = _S128;
         }
         var own_2 : View_0 = view_0(node_6, receiver_11);
-        var other_1 : View_0 = view_0(top_light_node_0(_S130), receiver_11);
+        var other_1 : View_0 = view_0(top_light_node_0(_S129), receiver_11);
         var weights_0 : vec2<f32>;
         if(is_left_0)
         {
@@ -1867,38 +1858,38 @@ fn climb_0( receiver_11 : Receiver_0,  start_2 : u32,  descent_0 : ptr<function,
         {
             weights_0 = weights_of_views_0(other_1, own_2);
         }
-        var _S131 : f32 = weights_0.x;
-        var _S132 : f32 = weights_0.y;
-        var total_2 : f32 = _S131 + _S132;
+        var _S130 : f32 = weights_0.x;
+        var _S131 : f32 = weights_0.y;
+        var total_2 : f32 = _S130 + _S131;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S133 : f32;
+        var _S132 : f32;
         if(is_left_0)
         {
-            _S133 = _S131;
+            _S132 = _S130;
         }
         else
         {
-            _S133 = _S132;
+            _S132 = _S131;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S133;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S132;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_0 = _S128.parent_0;
+        at_0 = _S127.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
 
 fn Hit_x24init_0( t_2 : f32,  instance_5 : u32,  voxel_3 : vec3<i32>,  face_2 : u32) -> Hit_0
 {
-    var _S134 : Hit_0;
-    _S134.t_0 = t_2;
-    _S134.instance_1 = instance_5;
-    _S134.voxel_1 = voxel_3;
-    _S134.face_0 = face_2;
-    return _S134;
+    var _S133 : Hit_0;
+    _S133.t_0 = t_2;
+    _S133.instance_1 = instance_5;
+    _S133.voxel_1 = voxel_3;
+    _S133.face_0 = face_2;
+    return _S133;
 }
 
 fn miss_0() -> Hit_0
@@ -1920,16 +1911,16 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S135 : bool;
+        var _S134 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S135 = !(*descent_1).is_far_3;
+            _S134 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S135 = false;
+            _S134 = false;
         }
-        if(_S135)
+        if(_S134)
         {
         }
         else
@@ -1943,29 +1934,29 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_2 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_2 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_views_0(view_0(left_2, receiver_12), view_0(right_2, receiver_12));
-        var _S136 : f32 = weights_1.x;
-        var _S137 : f32 = weights_1.y;
-        var total_3 : f32 = _S136 + _S137;
+        var _S135 : f32 = weights_1.x;
+        var _S136 : f32 = weights_1.y;
+        var total_3 : f32 = _S135 + _S136;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S138 : bool;
-        if(_S137 <= 0.0f)
+        var _S137 : bool;
+        if(_S136 <= 0.0f)
         {
-            _S138 = true;
+            _S137 = true;
         }
         else
         {
-            _S138 = ((*descent_1).choice_0 * total_3) < (_S136 * (*descent_1).weight_0);
+            _S137 = ((*descent_1).choice_0 * total_3) < (_S135 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S139 : vec3<f32> = vec3<f32>(aim_0.hit_2.voxel_1);
-            if((all((_S139 >= (vector_of_0(left_2.min_0))))))
+            var _S138 : vec3<f32> = vec3<f32>(aim_0.hit_2.voxel_1);
+            if((all((_S138 >= (vector_of_0(left_2.min_0))))))
             {
-                is_left_1 = (all((_S139 < (vector_of_0(left_2.max_0)))));
+                is_left_1 = (all((_S138 < (vector_of_0(left_2.max_0)))));
             }
             else
             {
@@ -1974,63 +1965,63 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S138;
+            is_left_1 = _S137;
         }
-        var _S140 : f32 = (*descent_1).choice_0 * total_3;
-        var _S141 : f32;
+        var _S139 : f32 = (*descent_1).choice_0 * total_3;
+        var _S140 : f32;
         if(is_left_1)
         {
-            _S141 = 0.0f;
+            _S140 = 0.0f;
         }
         else
         {
-            _S141 = _S136 * (*descent_1).weight_0;
+            _S140 = _S135 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S140 - _S141;
+        (*descent_1).choice_0 = _S139 - _S140;
+        var _S141 : u32;
+        if(is_left_1)
+        {
+            _S141 = (*descent_1).node_3 + u32(1);
+        }
+        else
+        {
+            _S141 = (*descent_1).index_15;
+        }
+        (*descent_1).node_3 = _S141;
         var _S142 : u32;
         if(is_left_1)
         {
-            _S142 = (*descent_1).node_3 + u32(1);
+            _S142 = left_2.index_2;
         }
         else
         {
-            _S142 = (*descent_1).index_15;
+            _S142 = right_2.index_2;
         }
-        (*descent_1).node_3 = _S142;
+        (*descent_1).index_15 = _S142;
         var _S143 : u32;
         if(is_left_1)
         {
-            _S143 = left_2.index_2;
+            _S143 = left_2.count_0;
         }
         else
         {
-            _S143 = right_2.index_2;
+            _S143 = right_2.count_0;
         }
-        (*descent_1).index_15 = _S143;
-        var _S144 : u32;
-        if(is_left_1)
-        {
-            _S144 = left_2.count_0;
-        }
-        else
-        {
-            _S144 = right_2.count_0;
-        }
-        (*descent_1).count_2 = _S144;
+        (*descent_1).count_2 = _S143;
         (*descent_1).is_far_3 = false;
-        var _S145 : f32;
+        var _S144 : f32;
         if(is_left_1)
         {
-            _S145 = _S136;
+            _S144 = _S135;
         }
         else
         {
-            _S145 = _S137;
+            _S144 = _S136;
         }
-        var _S146 : f32 = (*descent_1).weight_0 * _S145;
-        (*descent_1).weight_0 = _S146;
+        var _S145 : f32 = (*descent_1).weight_0 * _S144;
+        (*descent_1).weight_0 = _S145;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S146 <= 0.0f)
+        if(_S145 <= 0.0f)
         {
             return false;
         }
@@ -2054,8 +2045,8 @@ fn in_grid_0( instance_6 : u32,  receiver_13 : Receiver_0) -> Receiver_0
     {
         return receiver_13;
     }
-    var _S147 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
-    return Receiver_x24init_0(Transform_point_0(_S147.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S147.grid_from_world_0, receiver_13.normal_1)));
+    var _S146 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_6);
+    return Receiver_x24init_0(Transform_point_0(_S146.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S146.grid_from_world_0, receiver_13.normal_1)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -2077,8 +2068,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S148 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S148), Rows_operatorx5Bx5D_get_4(_S148 + u32(1)), Rows_operatorx5Bx5D_get_4(_S148 + u32(2)), Rows_operatorx5Bx5D_get_4(_S148 + u32(3)));
+        var _S147 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S147), Rows_operatorx5Bx5D_get_4(_S147 + u32(1)), Rows_operatorx5Bx5D_get_4(_S147 + u32(2)), Rows_operatorx5Bx5D_get_4(_S147 + u32(3)));
     }
     var at_1 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -2135,16 +2126,16 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S149 : bool;
+        var _S148 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S149 = !(*descent_2).is_far_3;
+            _S148 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S149 = false;
+            _S148 = false;
         }
-        if(_S149)
+        if(_S148)
         {
         }
         else
@@ -2160,29 +2151,29 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_3, receiver_14);
         var of_right_0 : View_0 = view_0(right_3, receiver_14);
         var weights_2 : vec2<f32> = weights_of_views_0(of_left_0, of_right_0);
-        var _S150 : f32 = weights_2.x;
-        var _S151 : f32 = weights_2.y;
-        var total_4 : f32 = _S150 + _S151;
+        var _S149 : f32 = weights_2.x;
+        var _S150 : f32 = weights_2.y;
+        var total_4 : f32 = _S149 + _S150;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S152 : bool;
-        if(_S151 <= 0.0f)
+        var _S151 : bool;
+        if(_S150 <= 0.0f)
         {
-            _S152 = true;
+            _S151 = true;
         }
         else
         {
-            _S152 = ((*descent_2).choice_0 * total_4) < (_S150 * (*descent_2).weight_0);
+            _S151 = ((*descent_2).choice_0 * total_4) < (_S149 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S153 : vec3<f32> = vec3<f32>(aim_1.hit_2.voxel_1);
-            if((all((_S153 >= (vector_of_0(left_3.min_0))))))
+            var _S152 : vec3<f32> = vec3<f32>(aim_1.hit_2.voxel_1);
+            if((all((_S152 >= (vector_of_0(left_3.min_0))))))
             {
-                is_left_2 = (all((_S153 < (vector_of_0(left_3.max_0)))));
+                is_left_2 = (all((_S152 < (vector_of_0(left_3.max_0)))));
             }
             else
             {
@@ -2191,72 +2182,72 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S152;
+            is_left_2 = _S151;
         }
-        var _S154 : f32 = (*descent_2).choice_0 * total_4;
-        var _S155 : f32;
+        var _S153 : f32 = (*descent_2).choice_0 * total_4;
+        var _S154 : f32;
         if(is_left_2)
         {
-            _S155 = 0.0f;
+            _S154 = 0.0f;
         }
         else
         {
-            _S155 = _S150 * (*descent_2).weight_0;
+            _S154 = _S149 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S154 - _S155;
+        (*descent_2).choice_0 = _S153 - _S154;
+        var _S155 : u32;
+        if(is_left_2)
+        {
+            _S155 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S155 = (*descent_2).index_15;
+        }
+        (*descent_2).node_3 = _S155;
         var _S156 : u32;
         if(is_left_2)
         {
-            _S156 = (*descent_2).node_3 + u32(1);
+            _S156 = left_3.index_2;
         }
         else
         {
-            _S156 = (*descent_2).index_15;
+            _S156 = right_3.index_2;
         }
-        (*descent_2).node_3 = _S156;
+        (*descent_2).index_15 = _S156;
         var _S157 : u32;
         if(is_left_2)
         {
-            _S157 = left_3.index_2;
+            _S157 = left_3.count_0;
         }
         else
         {
-            _S157 = right_3.index_2;
+            _S157 = right_3.count_0;
         }
-        (*descent_2).index_15 = _S157;
-        var _S158 : u32;
+        (*descent_2).count_2 = _S157;
+        var _S158 : bool;
         if(is_left_2)
         {
-            _S158 = left_3.count_0;
+            _S158 = of_left_0.is_far_0;
         }
         else
         {
-            _S158 = right_3.count_0;
+            _S158 = of_right_0.is_far_0;
         }
-        (*descent_2).count_2 = _S158;
-        var _S159 : bool;
+        (*descent_2).is_far_3 = _S158;
+        var _S159 : f32;
         if(is_left_2)
         {
-            _S159 = of_left_0.is_far_0;
+            _S159 = _S149;
         }
         else
         {
-            _S159 = of_right_0.is_far_0;
+            _S159 = _S150;
         }
-        (*descent_2).is_far_3 = _S159;
-        var _S160 : f32;
-        if(is_left_2)
-        {
-            _S160 = _S150;
-        }
-        else
-        {
-            _S160 = _S151;
-        }
-        var _S161 : f32 = (*descent_2).weight_0 * _S160;
-        (*descent_2).weight_0 = _S161;
+        var _S160 : f32 = (*descent_2).weight_0 * _S159;
+        (*descent_2).weight_0 = _S160;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S161 <= 0.0f)
+        if(_S160 <= 0.0f)
         {
             return false;
         }
@@ -2266,28 +2257,24 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_10 : LightNode_0 = light_node_at_0(way_0.node_3);
-    var _S162 : vec3<f32> = vector_of_0(node_10.max_0);
-    var _S163 : vec3<f32> = vector_of_0(node_10.min_0);
-    var _S164 : vec3<f32> = vec3<f32>(0.5f);
-    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(reach_of_0((_S163 + _S162) * _S164 - point_3, (_S162 - _S163) * _S164)));
-    var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
+    var sent_0 : BySide_0 = sent_by_side_0(light_node_at_0(way_0.node_3), point_3);
+    var sum_0 : f32 = normal_or_zero_0(BySide_sum_0(sent_0));
     var unit_1 : f32 = inverse_power_of_two_0(sum_0);
     var total_5 : f32 = sum_0 * unit_1;
-    var _S165 : f32 = way_0.choice_0 * total_5;
-    var _S166 : u32 = (*side_0);
-    var share_1 : f32 = normal_or_zero_0(sent_1.low_0[u32(0)] * unit_1);
-    var _S167 : bool;
+    var _S161 : f32 = way_0.choice_0 * total_5;
+    var _S162 : u32 = (*side_0);
+    var share_1 : f32 = normal_or_zero_0(sent_0.low_0[u32(0)] * unit_1);
+    var _S163 : bool;
     if(is_met_2)
     {
-        _S167 = u32(0) == _S166;
+        _S163 = u32(0) == _S162;
     }
     else
     {
-        _S167 = share_1 > 0.0f;
+        _S163 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S167)
+    if(_S163)
     {
         (*side_0) = u32(0);
         chosen_2 = share_1;
@@ -2296,145 +2283,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S168 : bool = _S165 < (share_1 * way_0.weight_0);
-    var share_2 : f32 = normal_or_zero_0(sent_1.high_0[u32(0)] * unit_1);
+    var _S164 : bool = _S161 < (share_1 * way_0.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_0.high_0[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S167 = u32(1) == _S166;
+        _S163 = u32(1) == _S162;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S167 = !_S168;
+            _S163 = !_S164;
         }
         else
         {
-            _S167 = false;
+            _S163 = false;
         }
     }
-    if(_S167)
+    if(_S163)
     {
         (*side_0) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S168)
+    if(_S164)
     {
-        _S167 = true;
+        _S163 = true;
     }
     else
     {
-        _S167 = _S165 < (passed_0 * way_0.weight_0);
+        _S163 = _S161 < (passed_0 * way_0.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(sent_1.low_0[u32(1)] * unit_1);
-    var _S169 : bool;
+    var share_3 : f32 = normal_or_zero_0(sent_0.low_0[u32(1)] * unit_1);
+    var _S165 : bool;
     if(is_met_2)
     {
-        _S169 = u32(2) == _S166;
+        _S165 = u32(2) == _S162;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S169 = !_S167;
+            _S165 = !_S163;
         }
         else
         {
-            _S169 = false;
+            _S165 = false;
         }
     }
-    if(_S169)
+    if(_S165)
     {
         (*side_0) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S167)
+    if(_S163)
     {
-        _S167 = true;
+        _S163 = true;
     }
     else
     {
-        _S167 = _S165 < (passed_1 * way_0.weight_0);
+        _S163 = _S161 < (passed_1 * way_0.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.high_0[u32(1)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_0.high_0[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S169 = u32(3) == _S166;
+        _S165 = u32(3) == _S162;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S169 = !_S167;
+            _S165 = !_S163;
         }
         else
         {
-            _S169 = false;
+            _S165 = false;
         }
     }
-    if(_S169)
+    if(_S165)
     {
         (*side_0) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S167)
+    if(_S163)
     {
-        _S167 = true;
+        _S163 = true;
     }
     else
     {
-        _S167 = _S165 < (passed_2 * way_0.weight_0);
+        _S163 = _S161 < (passed_2 * way_0.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(sent_1.low_0[u32(2)] * unit_1);
+    var share_5 : f32 = normal_or_zero_0(sent_0.low_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S169 = u32(4) == _S166;
+        _S165 = u32(4) == _S162;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S169 = !_S167;
+            _S165 = !_S163;
         }
         else
         {
-            _S169 = false;
+            _S165 = false;
         }
     }
-    if(_S169)
+    if(_S165)
     {
         (*side_0) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S167)
+    if(_S163)
     {
-        _S167 = true;
+        _S163 = true;
     }
     else
     {
-        _S167 = _S165 < (passed_3 * way_0.weight_0);
+        _S163 = _S161 < (passed_3 * way_0.weight_0);
     }
-    var share_6 : f32 = normal_or_zero_0(sent_1.high_0[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_0.high_0[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S167 = u32(5) == _S166;
+        _S163 = u32(5) == _S162;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S167 = !_S167;
+            _S163 = !_S163;
         }
         else
         {
-            _S167 = false;
+            _S163 = false;
         }
     }
-    if(_S167)
+    if(_S163)
     {
         (*side_0) = u32(5);
         chosen_2 = share_6;
@@ -2442,13 +2429,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_0 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_0.weight_0 * chosen_2, way_0.total_0 * total_5);
     if(sum_0 > 0.0f)
     {
-        _S167 = ((*odds_0).x) > 0.0f;
+        _S163 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S167 = false;
+        _S163 = false;
     }
-    return _S167;
+    return _S163;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
@@ -2458,16 +2445,16 @@ fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S170 : u32;
+    var _S166 : u32;
     if(lights_in_pages_0())
     {
-        _S170 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S166 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S170 = light_node_word_0(index_21, u32(8) + side_1);
+        _S166 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S170)));
+    return (bitcast<f32>((_S166)));
 }
 
 fn component_0( vector_3 : vec3<f32>,  axis_0 : u32) -> f32
@@ -2538,57 +2525,57 @@ fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S171 : u32;
+    var _S167 : u32;
     if(lights_in_pages_0())
     {
-        _S171 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S167 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S171 = emitter_word_0(index_24, u32(4));
+        _S167 = emitter_word_0(index_24, u32(4));
     }
-    return _S171;
+    return _S167;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S172 : f32;
+    var _S168 : f32;
     if(lights_in_pages_0())
     {
-        _S172 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+        _S168 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S172 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S168 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S172;
+    return _S168;
 }
 
 fn Emitter_x24init_0( voxel_5 : array<i32, i32(3)>,  grid_7 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S173 : Emitter_0;
-    _S173.voxel_4 = voxel_5;
-    _S173.grid_6 = grid_7;
-    _S173.faces_0 = faces_1;
-    _S173.material_5 = material_6;
-    _S173.luminance_4 = luminance_5;
-    _S173.leaf_0 = leaf_1;
-    return _S173;
+    var _S169 : Emitter_0;
+    _S169.voxel_4 = voxel_5;
+    _S169.grid_6 = grid_7;
+    _S169.faces_0 = faces_1;
+    _S169.material_5 = material_6;
+    _S169.luminance_4 = luminance_5;
+    _S169.leaf_0 = leaf_1;
+    return _S169;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S174 : u32 = u32(2) * index_26;
-        var _S175 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S174);
-        var _S176 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S174 + u32(1));
-        var _S177 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S175.x), i32(_S175.y), i32(_S175.z) );
-        return Emitter_x24init_0(_S177, _S175.w, _S176.x, _S176.y, (bitcast<f32>((_S176.z))), _S176.w);
+        var _S170 : u32 = u32(2) * index_26;
+        var _S171 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S170);
+        var _S172 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S170 + u32(1));
+        var _S173 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S171.x), i32(_S171.y), i32(_S171.z) );
+        return Emitter_x24init_0(_S173, _S171.w, _S172.x, _S172.y, (bitcast<f32>((_S172.z))), _S172.w);
     }
     var at_3 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S178 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_3]), i32(cells_1[at_3 + u32(1)]), i32(cells_1[at_3 + u32(2)]) );
-    return Emitter_x24init_0(_S178, cells_1[at_3 + u32(3)], cells_1[at_3 + u32(4)], cells_1[at_3 + u32(5)], (bitcast<f32>((cells_1[at_3 + u32(6)]))), cells_1[at_3 + u32(7)]);
+    var _S174 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_3]), i32(cells_1[at_3 + u32(1)]), i32(cells_1[at_3 + u32(2)]) );
+    return Emitter_x24init_0(_S174, cells_1[at_3 + u32(3)], cells_1[at_3 + u32(4)], cells_1[at_3 + u32(5)], (bitcast<f32>((cells_1[at_3 + u32(6)]))), cells_1[at_3 + u32(7)]);
 }
 
 fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -2596,9 +2583,9 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_found_0 : bool;
     var is_left_3 : bool;
     var count_4 : u32 = way_1.count_2;
-    var node_11 : u32 = way_1.node_3;
+    var node_10 : u32 = way_1.node_3;
     var index_27 : u32 = way_1.index_15;
-    var _S179 : f32 = threshold_1;
+    var _S175 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -2616,9 +2603,9 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var left_4 : u32 = node_11 + u32(1);
+        var left_4 : u32 = node_10 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_4, side_2);
-        if(_S179 < power_left_0)
+        if(_S175 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -2631,20 +2618,20 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S179 = _S179 - power_left_0;
+            _S175 = _S175 - power_left_0;
         }
         if(is_left_3)
         {
-            node_11 = left_4;
+            node_10 = left_4;
         }
         else
         {
-            node_11 = index_27;
+            node_10 = index_27;
         }
-        var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S180 : u32 = below_0.x;
+        var below_0 : vec2<u32> = below_light_node_0(node_10);
+        var _S176 : u32 = below_0.x;
         count_4 = below_0.y;
-        index_27 = _S180;
+        index_27 = _S176;
     }
     is_found_0 = false;
     var chosen_3 : u32 = index_27;
@@ -2668,10 +2655,10 @@ fn choose_emitter_0( way_1 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_4)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S181 : f32 = _S179 - emitter_luminance_at_0(at_4);
-            is_found_0 = _S179 < (emitter_luminance_at_0(at_4));
+            var _S177 : f32 = _S175 - emitter_luminance_at_0(at_4);
+            is_found_0 = _S175 < (emitter_luminance_at_0(at_4));
             chosen_3 = at_4;
-            _S179 = _S181;
+            _S175 = _S177;
         }
         at_4 = at_4 + u32(1);
     }
@@ -2708,19 +2695,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_4 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_5 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_5);
-    var _S182 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_5 + _S182), low_5 + vec3<f32>((1.0f - margin_0)));
-    var _S183 : bool = face_5 < u32(2);
-    var _S184 : bool;
+    var _S178 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_5 + _S178), low_5 + vec3<f32>((1.0f - margin_0)));
+    var _S179 : bool = face_5 < u32(2);
+    var _S180 : bool;
     if(face_5 >= u32(2))
     {
-        _S184 = face_5 < u32(4);
+        _S180 = face_5 < u32(4);
     }
     else
     {
-        _S184 = false;
+        _S180 = false;
     }
-    var is_axis_0 : vec3<bool> = vec3<bool>(_S183, _S184, face_5 >= u32(4));
+    var is_axis_0 : vec3<bool> = vec3<bool>(_S179, _S180, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -2728,7 +2715,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_5 : vec3<f32>,  face_5 :
     }
     else
     {
-        outside_0 = low_5 - _S182;
+        outside_0 = low_5 - _S178;
     }
     return select(moved_0, outside_0, is_axis_0);
 }
@@ -2742,45 +2729,45 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S185 : bool;
+    var _S181 : bool;
     if(!IS_SINGLE_0)
     {
-        _S185 = aim_2.is_met_0;
+        _S181 = aim_2.is_met_0;
     }
     else
     {
-        _S185 = false;
+        _S181 = false;
     }
-    if(_S185)
+    if(_S181)
     {
-        var _S186 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_2.instance_1);
-        if((_S186.light_leaf_0) == u32(4294967295))
+        var _S182 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_2.instance_1);
+        if((_S182.light_leaf_0) == u32(4294967295))
         {
-            _S185 = true;
+            _S181 = true;
         }
         else
         {
-            var _S187 : bool = climb_0(receiver_15, _S186.light_leaf_0, &(descent_3));
-            _S185 = !_S187;
+            var _S183 : bool = climb_0(receiver_15, _S182.light_leaf_0, &(descent_3));
+            _S181 = !_S183;
         }
-        if(_S185)
+        if(_S181)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S186.light_leaf_0);
+        Descent_at_0(&(descent_3), _S182.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S188 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
-            _S185 = !_S188;
+            var _S184 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
+            _S181 = !_S184;
         }
         else
         {
-            _S185 = false;
+            _S181 = false;
         }
-        if(_S185)
+        if(_S181)
         {
             return false;
         }
@@ -2788,35 +2775,35 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_0 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_15);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S189 : bool = descend_1(local_0, aim_2, &(descent_3));
-    if(!_S189)
+    var _S185 : bool = descend_1(local_0, aim_2, &(descent_3));
+    if(!_S185)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_2.face_0;
     var odds_2 : vec2<f32>;
-    var _S190 : bool = choose_side_0(local_0.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S190)
+    var _S186 : bool = choose_side_0(local_0.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S186)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S191 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S187 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S192 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S191.grid_from_world_0, aim_2.direction_17) * vec3<f32>(aim_2.hit_2.t_0), side_3);
-        (*sample_4).pdf_2 = _S192;
-        return _S192 > 0.0f;
+        var _S188 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S187.grid_from_world_0, aim_2.direction_17) * vec3<f32>(aim_2.hit_2.t_0), side_3);
+        (*sample_4).pdf_2 = _S188;
+        return _S188 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_8.y * power_4);
-    var _S193 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S193, side_3, u_8.z, u_8.w);
+    var _S189 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_4));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S189, side_3, u_8.z, u_8.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_0.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_24 : vec3<f32> = Transform_point_0(_S191.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S191.grid_from_world_0.translation_0), _S193, side_3, on_face_0)) - receiver_15.point_0;
+    var direction_24 : vec3<f32> = Transform_point_0(_S187.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S187.grid_from_world_0.translation_0), _S189, side_3, on_face_0)) - receiver_15.point_0;
     var cos_theta_5 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_1, direction_24), square_root_0(length_squared_0(direction_24))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_24, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_7);
     return cos_theta_5 > 0.0f;
@@ -2824,8 +2811,8 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S194 : bool = sample_emitter_0(receiver_16, u_9, aim_3, &((*sample_5)));
-    return _S194;
+    var _S190 : bool = sample_emitter_0(receiver_16, u_9, aim_3, &((*sample_5)));
+    return _S190;
 }
 
 fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -2849,9 +2836,9 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_10 
     }
     if(is_found_1)
     {
-        var _S195 : bool = SunDisc_sample_0(receiver_17, u_10, &((*sample_6)));
+        var _S191 : bool = SunDisc_sample_0(receiver_17, u_10, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_1 = _S195;
+        is_found_1 = _S191;
     }
     else
     {
@@ -2873,15 +2860,15 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_10 
         }
         if(is_found_1)
         {
-            var _S196 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
+            var _S192 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_10.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_1 = _S196;
+            is_found_1 = _S192;
         }
         else
         {
-            var _S197 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
+            var _S193 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_10.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_1 = _S197;
+            is_found_1 = _S193;
         }
     }
     return is_found_1;
@@ -2889,34 +2876,34 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_10 
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S198 : f32;
+    var _S194 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S198 = material_of_index_0(inside_3.material_0).ior_0;
+        _S194 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S198 = 1.0f;
+        _S194 = 1.0f;
     }
-    return _S198;
+    return _S194;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S199 : Microfacets_0;
-    _S199.alpha_0 = alpha_1;
-    return _S199;
+    var _S195 : Microfacets_0;
+    _S195.alpha_0 = alpha_1;
+    return _S195;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S200 : MaterialBsdf_0;
-    _S200.kind_0 = kind_1;
-    _S200.color_0 = color_2;
-    _S200.specular_0 = specular_2;
-    _S200.eta_0 = eta_1;
-    _S200.facets_0 = facets_1;
-    return _S200;
+    var _S196 : MaterialBsdf_0;
+    _S196.kind_0 = kind_1;
+    _S196.color_0 = color_2;
+    _S196.specular_0 = specular_2;
+    _S196.eta_0 = eta_1;
+    _S196.facets_0 = facets_1;
+    return _S196;
 }
 
 fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -2937,17 +2924,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_11 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S201 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S202 : f32;
-    if(u_11 < _S201)
+    var _S197 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S198 : f32;
+    if(u_11 < _S197)
     {
-        _S202 = divide_0(1.0f, _S201);
+        _S198 = divide_0(1.0f, _S197);
     }
     else
     {
-        _S202 = 0.0f;
+        _S198 = 0.0f;
     }
-    return _S202;
+    return _S198;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -2961,32 +2948,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S203 : f32;
+    var _S199 : f32;
     if(face_6 < u32(2))
     {
-        _S203 = away_1;
+        _S199 = away_1;
     }
     else
     {
-        _S203 = 0.0f;
+        _S199 = 0.0f;
     }
-    var _S204 : bool;
+    var _S200 : bool;
     if(face_6 >= u32(2))
     {
-        _S204 = face_6 < u32(4);
+        _S200 = face_6 < u32(4);
     }
     else
     {
-        _S204 = false;
+        _S200 = false;
     }
-    var _S205 : f32;
-    if(_S204)
+    var _S201 : f32;
+    if(_S200)
     {
-        _S205 = away_1;
+        _S201 = away_1;
     }
     else
     {
-        _S205 = 0.0f;
+        _S201 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -2995,7 +2982,7 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S203, _S205, away_1);
+    return vec3<f32>(_S199, _S201, away_1);
 }
 
 fn world_normal_0( instance_7 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
@@ -3006,17 +2993,17 @@ fn world_normal_0( instance_7 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
 fn surface_of_0( ray_6 : Ray_0,  hit_4 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S206 : vec3<f32> = vec3<f32>(hit_4.voxel_1);
+    var _S202 : vec3<f32> = vec3<f32>(hit_4.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S206, hit_4.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_4.t_0));
+        surface_1.origin_3 = offset_ray_origin_0(vec3<f32>(0.0f), _S202, hit_4.face_0, ray_6.origin_1 + ray_6.direction_1 * vec3<f32>(hit_4.t_0));
         surface_1.normal_2 = face_normal_0(hit_4.face_0);
     }
     else
     {
-        var _S207 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_1);
-        surface_1.origin_3 = Transform_point_0(_S207.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S207.grid_from_world_0.translation_0), _S206, hit_4.face_0, Transform_point_0(_S207.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S207.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_4.t_0)));
-        surface_1.normal_2 = world_normal_0(_S207, hit_4.face_0);
+        var _S203 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_4.instance_1);
+        surface_1.origin_3 = Transform_point_0(_S203.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S203.grid_from_world_0.translation_0), _S202, hit_4.face_0, Transform_point_0(_S203.grid_from_world_0, ray_6.origin_1) + Transform_direction_0(_S203.grid_from_world_0, ray_6.direction_1) * vec3<f32>(hit_4.t_0)));
+        surface_1.normal_2 = world_normal_0(_S203, hit_4.face_0);
     }
     surface_1.face_1 = hit_4.face_0;
     surface_1.instance_3 = hit_4.instance_1;
@@ -3070,8 +3057,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_6 : vec3<f32>,  point_5 : v
 
 fn Inside_point_0( this_21 : Inside_0,  ray_7 : Ray_0,  t_3 : f32) -> vec3<f32>
 {
-    var _S208 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_21.instance_0);
-    return Transform_point_0(_S208.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S208.grid_from_world_0.translation_0), vec3<f32>(this_21.voxel_0), Transform_point_0(_S208.grid_from_world_0, ray_7.origin_1) + Transform_direction_0(_S208.grid_from_world_0, ray_7.direction_1) * vec3<f32>(t_3)));
+    var _S204 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_21.instance_0);
+    return Transform_point_0(_S204.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S204.grid_from_world_0.translation_0), vec3<f32>(this_21.voxel_0), Transform_point_0(_S204.grid_from_world_0, ray_7.origin_1) + Transform_direction_0(_S204.grid_from_world_0, ray_7.direction_1) * vec3<f32>(t_3)));
 }
 
 fn MaterialBsdf_is_delta_0( this_22 : MaterialBsdf_0) -> bool
@@ -3081,16 +3068,16 @@ fn MaterialBsdf_is_delta_0( this_22 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_4 : Path_0,  receiver_18 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S209 : Scatter_0;
-    _S209.path_0 = path_4;
-    _S209.receiver_0 = receiver_18;
-    _S209.surface_0 = surface_2;
-    _S209.bsdf_0 = bsdf_1;
-    _S209.wo_0 = wo_1;
-    _S209.compensation_0 = compensation_1;
-    _S209.is_scattered_0 = is_scattered_1;
-    _S209.wants_light_0 = wants_light_1;
-    return _S209;
+    var _S205 : Scatter_0;
+    _S205.path_0 = path_4;
+    _S205.receiver_0 = receiver_18;
+    _S205.surface_0 = surface_2;
+    _S205.bsdf_0 = bsdf_1;
+    _S205.wo_0 = wo_1;
+    _S205.compensation_0 = compensation_1;
+    _S205.is_scattered_0 = is_scattered_1;
+    _S205.wants_light_0 = wants_light_1;
+    return _S205;
 }
 
 struct BsdfSample_0
@@ -3108,9 +3095,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S210 : Diffuse_0;
-    _S210.reflectance_0 = reflectance_1;
-    return _S210;
+    var _S206 : Diffuse_0;
+    _S206.reflectance_0 = reflectance_1;
+    return _S206;
 }
 
 fn cosine_hemisphere_0( u_12 : f32,  v_7 : f32) -> vec3<f32>
@@ -3127,12 +3114,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S211 : BsdfSample_0;
-    _S211.wi_0 = wi_1;
-    _S211.weight_3 = weight_4;
-    _S211.pdf_8 = pdf_9;
-    _S211.is_delta_0 = is_delta_1;
-    return _S211;
+    var _S207 : BsdfSample_0;
+    _S207.wi_0 = wi_1;
+    _S207.weight_3 = weight_4;
+    _S207.pdf_8 = pdf_9;
+    _S207.is_delta_0 = is_delta_1;
+    return _S207;
 }
 
 fn Diffuse_sample_0( this_23 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -3144,8 +3131,8 @@ fn Diffuse_sample_0( this_23 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_24 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S212 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_24.color_0), wo_3, u_14, &((*sample_8)));
-    return _S212;
+    var _S208 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_24.color_0), wo_3, u_14, &((*sample_8)));
+    return _S208;
 }
 
 fn Surface_world_direction_0( this_25 : Surface_0,  local_2 : vec3<f32>) -> vec3<f32>
@@ -3159,23 +3146,23 @@ fn Surface_world_direction_0( this_25 : Surface_0,  local_2 : vec3<f32>) -> vec3
     {
         away_2 = - local_2.z;
     }
-    var _S213 : f32 = local_2.x;
-    var _S214 : f32 = local_2.y;
-    var _S215 : vec3<f32> = vec3<f32>(_S213, _S214, away_2);
+    var _S209 : f32 = local_2.x;
+    var _S210 : f32 = local_2.y;
+    var _S211 : vec3<f32> = vec3<f32>(_S209, _S210, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_25.face_1) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S213, _S214);
+        in_grid_3 = vec3<f32>(away_2, _S209, _S210);
     }
     else
     {
         if((this_25.face_1) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S214, away_2, _S213);
+            in_grid_3 = vec3<f32>(_S210, away_2, _S209);
         }
         else
         {
-            in_grid_3 = _S215;
+            in_grid_3 = _S211;
         }
     }
     if(!IS_SINGLE_0)
@@ -3277,7 +3264,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_5, beyond_2);
-    var _S216 : vec3<f32> = vec3<f32>(0.0f);
+    var _S212 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -3285,12 +3272,12 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     }
     else
     {
-        le_1 = _S216;
+        le_1 = _S212;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_8.direction_1, hit_5, luminance_0(vector_of_0(material_8.emission_0)));
-    var _S217 : bool = weighs_apart_0();
-    if(_S217)
+    var _S213 : bool = weighs_apart_0();
+    if(_S213)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -3318,7 +3305,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S217)
+        if(!_S213)
         {
             is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
         }
@@ -3328,15 +3315,15 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         }
         if(is_chosen_0)
         {
-            var _S218 : bool = Lights_sample_0(last_3, Path_selection_at_0((*path_5), last_3), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S218;
+            var _S214 : bool = Lights_sample_0(last_3, Path_selection_at_0((*path_5), last_3), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S214;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S219 : vec3<f32> = (*path_5).beta_0 * le_1;
-        var _S220 : f32 = (*path_5).pdf_1;
+        var _S215 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S216 : f32 = (*path_5).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_2;
@@ -3345,13 +3332,13 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S219 * vec3<f32>(mis_weight_0(_S220, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S215 * vec3<f32>(mis_weight_0(_S216, light_pdf_1));
     }
-    var _S221 : f32 = ior_of_0((*path_5).inside_0);
-    var _S222 : f32 = u_15[i32(3)];
-    var _S223 : MaterialBsdf_0 = bsdf_of_0(material_8, _S221, &(_S222));
-    u_15[i32(3)] = _S222;
-    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S223);
+    var _S217 : f32 = ior_of_0((*path_5).inside_0);
+    var _S218 : f32 = u_15[i32(3)];
+    var _S219 : MaterialBsdf_0 = bsdf_of_0(material_8, _S217, &(_S218));
+    u_15[i32(3)] = _S218;
+    var scattered_2 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S219);
     if(((*path_5).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -3360,8 +3347,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S224 : bool = !is_weighed_0;
-    if(_S224)
+    var _S220 : bool = !is_weighed_0;
+    if(_S220)
     {
         if(is_chosen_0)
         {
@@ -3381,7 +3368,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_5)), scattered_2, u_15.z);
-    if(_S224)
+    if(_S220)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -3403,19 +3390,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         at_5 = hit_5;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_8, at_5);
-    var _S225 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
-    var _S226 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S226);
+    var _S221 : Receiver_0 = Receiver_x24init_0(surface_3.origin_3, surface_3.normal_2);
+    var _S222 : vec3<f32> = (vec3<f32>(0) - ray_8.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S222);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S227 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
-        inside_4 = _S227;
-        var _S228 : vec3<f32> = normalize_vector_0(_S226);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S227, ray_8, t_4), _S216);
-        wo_5 = _S228;
+        var _S223 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
+        inside_4 = _S223;
+        var _S224 : vec3<f32> = normalize_vector_0(_S222);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S223, ray_8, t_4), _S212);
+        wo_5 = _S224;
     }
     else
     {
@@ -3425,7 +3412,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
             inside_4 = Inside_x24init_0((*path_5).inside_0.instance_0, hit_5.voxel_1, (*path_5).inside_0.material_0);
             inside_4.voxel_0 = hit_5.voxel_1 + vec3<i32>(face_normal_0(hit_5.face_0));
         }
-        receiver_19 = _S225;
+        receiver_19 = _S221;
         wo_5 = wo_4;
     }
     next_0.origin_0 = receiver_19.point_0;
@@ -3434,13 +3421,13 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
     {
         receiver_19 = last_3;
     }
-    if(_S224)
+    if(_S220)
     {
         (*path_5).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_3 : LightSample_0 = no_light_0();
-    var _S229 : bool = !MaterialBsdf_is_delta_0(_S223);
-    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_19, surface_3, _S223, wo_5, compensation_2, is_scattered_2, _S229);
+    var _S225 : bool = !MaterialBsdf_is_delta_0(_S219);
+    scatter_of_path_0 = Scatter_x24init_0((*path_5), receiver_19, surface_3, _S219, wo_5, compensation_2, is_scattered_2, _S225);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -3457,8 +3444,8 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_8 : Ray_0,  hit
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S230 : bool = MaterialBsdf_sample_0(_S223, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_1));
-    if(!_S230)
+    var _S226 : bool = MaterialBsdf_sample_0(_S219, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_1));
+    if(!_S226)
     {
         return next_0;
     }
@@ -3575,7 +3562,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_6).sampler_0, Path_dimension_scatter_0((*path_6)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_6), hit_6, beyond_3);
-    var _S231 : vec3<f32> = vec3<f32>(0.0f);
+    var _S227 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -3583,7 +3570,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     }
     else
     {
-        le_3 = _S231;
+        le_3 = _S227;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     if(weighs_apart_0())
@@ -3602,62 +3589,62 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
     {
         is_weighed_1 = false;
     }
-    var _S232 : bool;
+    var _S228 : bool;
     if(is_lit_1)
     {
-        _S232 = !is_weighed_1;
+        _S228 = !is_weighed_1;
     }
     else
     {
-        _S232 = false;
+        _S228 = false;
     }
-    if(_S232)
+    if(_S228)
     {
         (*radiance_6) = (*radiance_6) + (*path_6).beta_0 * le_3 * vec3<f32>(mis_weight_0((*path_6).pdf_1, 0.0f));
     }
-    var _S233 : f32 = ior_of_0((*path_6).inside_0);
-    var _S234 : f32 = u_16[i32(3)];
-    var _S235 : MaterialBsdf_0 = bsdf_of_0(material_9, _S233, &(_S234));
-    u_16[i32(3)] = _S234;
-    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S235);
+    var _S229 : f32 = ior_of_0((*path_6).inside_0);
+    var _S230 : f32 = u_16[i32(3)];
+    var _S231 : MaterialBsdf_0 = bsdf_of_0(material_9, _S229, &(_S230));
+    u_16[i32(3)] = _S230;
+    var scattered_3 : vec3<f32> = (*path_6).beta_0 * MaterialBsdf_albedo_0(_S231);
     if(((*path_6).bounce_0) >= (params_0.max_bounces_0))
     {
-        _S232 = true;
+        _S228 = true;
     }
     else
     {
-        _S232 = ends_here_0;
+        _S228 = ends_here_0;
     }
-    var _S236 : bool = !is_weighed_1;
-    if(_S236)
+    var _S232 : bool = !is_weighed_1;
+    if(_S232)
     {
-        if(_S232)
+        if(_S228)
         {
-            _S232 = true;
+            _S228 = true;
         }
         else
         {
-            _S232 = (max_element_0(scattered_3)) <= 0.0f;
+            _S228 = (max_element_0(scattered_3)) <= 0.0f;
         }
     }
     else
     {
-        _S232 = false;
+        _S228 = false;
     }
-    if(_S232)
+    if(_S228)
     {
         return next_1;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_6)), scattered_3, u_16.z);
-    if(_S236)
+    if(_S232)
     {
-        _S232 = compensation_3 == 0.0f;
+        _S228 = compensation_3 == 0.0f;
     }
     else
     {
-        _S232 = false;
+        _S228 = false;
     }
-    if(_S232)
+    if(_S228)
     {
         return next_1;
     }
@@ -3671,19 +3658,19 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         at_6 = hit_6;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_9, at_6);
-    var _S237 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
-    var _S238 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
-    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S238);
+    var _S233 : Receiver_0 = Receiver_x24init_0(surface_4.origin_3, surface_4.normal_2);
+    var _S234 : vec3<f32> = (vec3<f32>(0) - ray_9.direction_1);
+    var wo_6 : vec3<f32> = Surface_local_direction_0(surface_4, _S234);
     var inside_5 : Inside_0 = in_air_0();
     var wo_7 : vec3<f32>;
     var receiver_20 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S239 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
-        inside_5 = _S239;
-        var _S240 : vec3<f32> = normalize_vector_0(_S238);
-        receiver_20 = Receiver_x24init_0(Inside_point_0(_S239, ray_9, t_5), _S231);
-        wo_7 = _S240;
+        var _S235 : Inside_0 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
+        inside_5 = _S235;
+        var _S236 : vec3<f32> = normalize_vector_0(_S234);
+        receiver_20 = Receiver_x24init_0(Inside_point_0(_S235, ray_9, t_5), _S227);
+        wo_7 = _S236;
     }
     else
     {
@@ -3693,7 +3680,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
             inside_5 = Inside_x24init_0((*path_6).inside_0.instance_0, hit_6.voxel_1, (*path_6).inside_0.material_0);
             inside_5.voxel_0 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_0));
         }
-        receiver_20 = _S237;
+        receiver_20 = _S233;
         wo_7 = wo_6;
     }
     next_1.origin_0 = receiver_20.point_0;
@@ -3703,7 +3690,7 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         receiver_20 = last_4;
     }
     var light_4 : LightSample_0 = no_light_0();
-    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_20, surface_4, _S235, wo_7, compensation_3, is_scattered_3, false);
+    scatter_of_path_0 = Scatter_x24init_0((*path_6), receiver_20, surface_4, _S231, wo_7, compensation_3, is_scattered_3, false);
     if(is_weighed_1)
     {
         if(next_1.has_shadow_ray_0)
@@ -3720,8 +3707,8 @@ fn PathTracingOf_advance_1( path_6 : ptr<function, Path_0>,  ray_9 : Ray_0,  hit
         return next_1;
     }
     var bounce_2 : BsdfSample_0;
-    var _S241 : bool = MaterialBsdf_sample_0(_S235, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
-    if(!_S241)
+    var _S237 : bool = MaterialBsdf_sample_0(_S231, wo_7, vec3<f32>(u_16.xy, u_16.w), &(bounce_2));
+    if(!_S237)
     {
         return next_1;
     }
@@ -3781,16 +3768,16 @@ struct Sample_0
 
 fn is_mover_0( instance_9 : u32) -> bool
 {
-    var _S242 : bool;
+    var _S238 : bool;
     if(instance_9 < (real_time_0.motions_0))
     {
-        _S242 = (motions_1[u32(4) * instance_9 + u32(3)].x) != 0.0f;
+        _S238 = (motions_1[u32(4) * instance_9 + u32(3)].x) != 0.0f;
     }
     else
     {
-        _S242 = false;
+        _S238 = false;
     }
-    return _S242;
+    return _S238;
 }
 
 fn shading_normal_0( ray_11 : Ray_0,  hit_7 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
@@ -3815,56 +3802,56 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S243 : Path_0 = path_8;
+    var _S239 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S243.inside_0))
+    if(Inside_is_in_0(_S239.inside_0))
     {
-        absorb_0(&(_S243), _S243.inside_0, ray_12, hit_8.t_0);
+        absorb_0(&(_S239), _S239.inside_0, ray_12, hit_8.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S243, hit_8, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S239, hit_8, beyond_4);
     (*sample_9).normal_4 = in_ten_bits_0(shading_normal_0(ray_12, hit_8, material_12));
-    (*sample_9).albedo_0 = _S243.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S239.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S244 : bool;
+    var _S240 : bool;
     if((*this_26).sees_mover_0)
     {
-        _S244 = true;
+        _S240 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_9))
         {
-            _S244 = is_mover_0(hit_9.instance_1);
+            _S240 = is_mover_0(hit_9.instance_1);
         }
         else
         {
-            _S244 = false;
+            _S240 = false;
         }
     }
-    (*this_26).sees_mover_0 = _S244;
-    var _S245 : bool = ((*this_26).path_7.bounce_0) == u32(0);
+    (*this_26).sees_mover_0 = _S240;
+    var _S241 : bool = ((*this_26).path_7.bounce_0) == u32(0);
     if(goes_on_0)
     {
-        _S244 = _S245;
+        _S240 = _S241;
     }
     else
     {
-        _S244 = false;
+        _S240 = false;
     }
-    var _S246 : bool = !_S244;
-    (*this_26).has_shown_0 = _S246;
-    if(!_S246)
+    var _S242 : bool = !_S240;
+    (*this_26).has_shown_0 = _S242;
+    if(!_S242)
     {
         (*this_26).way_2 = (*this_26).way_2 + hit_9.t_0;
     }
     else
     {
-        var _S247 : u32;
+        var _S243 : u32;
         if(!Hit_is_miss_0(hit_9))
         {
             show_0(arrived_0, (*this_26).ray_10, hit_9, beyond_5, &((*sample_10)));
@@ -3873,31 +3860,31 @@ fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 
             {
                 if((*this_26).sees_mover_0)
                 {
-                    _S247 = u32(4294967295);
+                    _S243 = u32(4294967295);
                 }
                 else
                 {
-                    _S247 = u32(4294967294);
+                    _S243 = u32(4294967294);
                 }
             }
             else
             {
-                _S247 = hit_9.instance_1;
+                _S243 = hit_9.instance_1;
             }
-            (*sample_10).instance_8 = _S247;
+            (*sample_10).instance_8 = _S243;
         }
         else
         {
             (*sample_10).albedo_0 = vec3<f32>(0.0f);
             if((*this_26).sees_mover_0)
             {
-                _S247 = u32(4294967295);
+                _S243 = u32(4294967295);
             }
             else
             {
-                _S247 = u32(4294967294);
+                _S243 = u32(4294967294);
             }
-            (*sample_10).instance_8 = _S247;
+            (*sample_10).instance_8 = _S243;
         }
     }
     return;
@@ -3909,9 +3896,9 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     ends_here_0 = false;
     var arrived_1 : Path_0 = (*at_7).path_7;
     var emitted_2 : vec3<f32> = cached_0;
-    var _S248 : Path_0 = (*at_7).path_7;
-    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S248), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
-    (*at_7).path_7 = _S248;
+    var _S244 : Path_0 = (*at_7).path_7;
+    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S244), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+    (*at_7).path_7 = _S244;
     var goes_on_1 : bool = (any(((next_2.direction_0) != cached_0)));
     if((*at_7).has_shown_0)
     {
@@ -3934,16 +3921,16 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     {
         (*at_7).ray_10 = Ray_x24init_0(next_2.origin_0, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
-    var _S249 : bool;
+    var _S245 : bool;
     if(goes_on_1)
     {
-        _S249 = true;
+        _S245 = true;
     }
     else
     {
-        _S249 = (*at_7).is_shadow_ray_0;
+        _S245 = (*at_7).is_shadow_ray_0;
     }
-    return _S249;
+    return _S245;
 }
 
 struct Key_0
@@ -3955,11 +3942,11 @@ struct Key_0
 
 fn Key_x24init_0( instance_11 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S250 : Key_0;
-    _S250.instance_10 = instance_11;
-    _S250.face_and_level_0 = face_and_level_1;
-    _S250.cube_0 = cube_1;
-    return _S250;
+    var _S246 : Key_0;
+    _S246.instance_10 = instance_11;
+    _S246.face_and_level_0 = face_and_level_1;
+    _S246.cube_0 = cube_1;
+    return _S246;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -3981,20 +3968,20 @@ fn key_of_0( hit_11 : Hit_0,  size_1 : f32,  u_17 : f32,  code_0 : ptr<function,
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S251 : f32;
+    var _S247 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S251 = 1.0f;
+        _S247 = 1.0f;
     }
     else
     {
-        _S251 = 0.0f;
+        _S247 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S251, 6.0f));
-    var _S252 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S252)));
-    var _S253 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S252))));
-    (*code_0) = u32(1) + (((((((_S253.x) | ((((_S253.y) << (level_0)))))) | ((((_S253.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S247, 6.0f));
+    var _S248 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S248)));
+    var _S249 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S248))));
+    (*code_0) = u32(1) + (((((((_S249.x) | ((((_S249.y) << (level_0)))))) | ((((_S249.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -4021,8 +4008,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_4 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S254 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
-        if(_S254 == (max(hash_0.y, u32(1))))
+        var _S250 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
+        if(_S250 == (max(hash_0.y, u32(1))))
         {
             return cell_4;
         }
@@ -4049,11 +4036,11 @@ fn place_of_asked_0( cell_7 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S255 : bool;
+    var _S251 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S256 : u32 = max(hash_1.y, u32(1));
+    var _S252 : u32 = max(hash_1.y, u32(1));
     var cell_8 : u32 = find_cell_0(hash_1);
-    var _S257 : vec4<f32> = vec4<f32>(0.0f);
+    var _S253 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_8 != u32(262144))
     {
@@ -4061,7 +4048,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S257;
+        known_0 = _S253;
     }
     var cell_9 : u32 = cell_8;
     var probe_1 : u32 = u32(0);
@@ -4069,13 +4056,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S255 = cell_9 == u32(262144);
+            _S251 = cell_9 == u32(262144);
         }
         else
         {
-            _S255 = false;
+            _S251 = false;
         }
-        if(_S255)
+        if(_S251)
         {
         }
         else
@@ -4083,23 +4070,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S256).old_value;
-        var _S258 : bool = found_0 == u32(0);
-        if(_S258)
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S252).old_value;
+        var _S254 : bool = found_0 == u32(0);
+        if(_S254)
         {
             set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_10, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S259 : bool;
-        if(_S258)
+        var _S255 : bool;
+        if(_S254)
         {
-            _S259 = true;
+            _S255 = true;
         }
         else
         {
-            _S259 = found_0 == _S256;
+            _S255 = found_0 == _S252;
         }
-        if(_S259)
+        if(_S255)
         {
             cell_9 = place_4;
         }
@@ -4107,16 +4094,16 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_9 != u32(262144))
     {
-        var _S260 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
-        _S255 = _S260 < asked_0;
+        var _S256 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
+        _S251 = _S256 < asked_0;
     }
     else
     {
-        _S255 = false;
+        _S251 = false;
     }
-    if(_S255)
+    if(_S251)
     {
-        var _S261 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
+        var _S257 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
     }
     return known_0;
 }
@@ -4124,52 +4111,52 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  life_1 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_7) = vec3<f32>(0.0f);
-    var _S262 : bool;
+    var _S258 : bool;
     if(Hit_is_miss_0(hit_12))
     {
-        _S262 = true;
+        _S258 = true;
     }
     else
     {
-        _S262 = Inside_is_in_0(path_9.inside_0);
+        _S258 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S262)
+    if(_S258)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_12, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S262 = true;
+        _S258 = true;
     }
     else
     {
-        _S262 = (material_13.transmission_0) > 0.0f;
+        _S258 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S262)
+    if(_S258)
     {
         return false;
     }
     var code_1 : u32;
     var key_2 : Key_0 = key_of_0(hit_12, square_root_0(length_squared_0(ray_13.origin_1 + ray_13.direction_1 * vec3<f32>(hit_12.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_1));
-    var _S263 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
+    var _S259 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
     var is_from_first_0 : bool = (path_9.bounce_0) < u32(2);
     if(life_1 == u32(0))
     {
-        _S262 = true;
+        _S258 = true;
     }
     else
     {
         if(is_from_first_0)
         {
-            _S262 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < _S263;
+            _S258 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < _S259;
         }
         else
         {
-            _S262 = false;
+            _S258 = false;
         }
     }
-    if(_S262)
+    if(_S258)
     {
         return false;
     }
@@ -4197,10 +4184,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S264 : BsdfEval_0;
-    _S264.weight_5 = weight_6;
-    _S264.pdf_10 = pdf_11;
-    return _S264;
+    var _S260 : BsdfEval_0;
+    _S260.weight_5 = weight_6;
+    _S260.pdf_10 = pdf_11;
+    return _S260;
 }
 
 fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -4217,9 +4204,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S265 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S265;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S265) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S261 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S261;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S261) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_14 : Ray_0) -> u32
@@ -4228,17 +4215,17 @@ fn place_of_ray_0( ray_14 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_14.origin_1, length_squared_0(ray_14.origin_1 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S266 : vec3<i32> = vec3<i32>(floor(ray_14.direction_1 * vec3<f32>(4.0f)));
+    var _S262 : vec3<i32> = vec3<i32>(floor(ray_14.direction_1 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_0 : vec3<i32>;
     if((ray_14.t_max_0) <= 1.0f)
     {
-        var _S267 : vec3<i32> = cube_of_0(ray_14.origin_1 + ray_14.direction_1, length_squared_0(ray_14.direction_1), i32(1), &(power_7));
-        end_0 = _S267;
+        var _S263 : vec3<i32> = cube_of_0(ray_14.origin_1 + ray_14.direction_1, length_squared_0(ray_14.direction_1), i32(1), &(power_7));
+        end_0 = _S263;
     }
     else
     {
-        end_0 = _S266;
+        end_0 = _S262;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_0), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -4279,18 +4266,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
         var u_18 : vec4<f32>;
-        var _S268 : vec4<f32>;
+        var _S264 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S268 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
+            _S264 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
         }
         else
         {
-            _S268 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+            _S264 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
         }
-        u_18 = _S268;
-        var _S269 : bool = count_5 > u32(1);
-        if(_S269)
+        u_18 = _S264;
+        var _S265 : bool = count_5 > u32(1);
+        if(_S265)
         {
             u_18[i32(0)] = min((f32(candidate_0) + u_18.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -4301,7 +4288,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S270 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
+        var _S266 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -4309,41 +4296,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S270;
+            wi_5 = _S266;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S271 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S271);
-        var _S272 : bool;
+        var _S267 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S267);
+        var _S268 : bool;
         if(weighs_candidates_0)
         {
-            _S272 = _S269;
+            _S268 = _S265;
         }
         else
         {
-            _S272 = false;
+            _S268 = false;
         }
         var weight_8 : f32;
-        if(_S272)
+        if(_S268)
         {
-            var _S273 : f32 = visibility_0(light_8.ray_4);
-            weight_8 = weight_7 * _S273;
+            var _S269 : f32 = visibility_0(light_8.ray_4);
+            weight_8 = weight_7 * _S269;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_2 : f32 = sum_1 + weight_8;
-        var _S274 : bool;
-        if(_S269)
+        var _S270 : bool;
+        if(_S265)
         {
-            _S274 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_8;
+            _S270 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_8;
         }
         else
         {
-            _S274 = false;
+            _S270 = false;
         }
-        if(_S274)
+        if(_S270)
         {
             sum_1 = sum_2;
             candidate_0 = candidate_0 + u32(1);
@@ -4354,7 +4341,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         {
             (*next_3).shadow_direction_0 = light_8.ray_4.direction_1;
             (*next_3).shadow_t_max_0 = light_8.ray_4.t_max_0;
-            (*next_3).light_0 = _S271;
+            (*next_3).light_0 = _S267;
             chosen_5 = weight_8;
         }
         else
@@ -4365,9 +4352,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_1 = sum_2;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S275 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S275;
-    if(_S275)
+    var _S271 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S271;
+    if(_S271)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_1, chosen_4 * f32(count_5)));
     }
@@ -4379,7 +4366,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : u32,  sample_12 : ptr<function, Sample_0>) -> bool
 {
     var next_4 : NextRays_0 = no_rays_0();
-    var _S276 : bool = (*at_8).is_at_cell_0;
+    var _S272 : bool = (*at_8).is_at_cell_0;
     var goes_on_2 : bool;
     if((*at_8).is_at_cell_0)
     {
@@ -4390,8 +4377,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     }
     else
     {
-        var _S277 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S277;
+        var _S273 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S273;
         if((*at_8).has_shown_0)
         {
             goes_on_2 = (*at_8).asks_cache_0;
@@ -4402,8 +4389,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         if(goes_on_2)
         {
-            var _S278 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
-            goes_on_2 = _S278;
+            var _S274 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_2 = _S274;
         }
         else
         {
@@ -4411,12 +4398,12 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         ends_here_0 = goes_on_2;
         var arrived_2 : Path_0 = (*at_8).path_7;
-        var emitted_3 : vec3<f32> = _S277;
-        var _S279 : Path_0 = (*at_8).path_7;
-        var _S280 : NextRays_0 = PathTracingOf_advance_0(&(_S279), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_7 = _S279;
-        next_4 = _S280;
-        var goes_on_3 : bool = (any(((next_4.direction_0) != _S277)));
+        var emitted_3 : vec3<f32> = _S273;
+        var _S275 : Path_0 = (*at_8).path_7;
+        var _S276 : NextRays_0 = PathTracingOf_advance_0(&(_S275), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S275;
+        next_4 = _S276;
+        var goes_on_3 : bool = (any(((next_4.direction_0) != _S273)));
         if((*at_8).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
@@ -4431,44 +4418,44 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     {
         choose_light_0(scatter_of_path_0, &(next_4));
     }
-    if(!_S276)
+    if(!_S272)
     {
-        var _S281 : bool;
+        var _S277 : bool;
         if(counts_arrivals_0)
         {
-            _S281 = next_4.has_shadow_ray_0;
+            _S277 = next_4.has_shadow_ray_0;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
-        if(_S281)
+        if(_S277)
         {
-            _S281 = (Path_events_0(scatter_of_path_0.path_0)) == u32(0);
+            _S277 = (Path_events_0(scatter_of_path_0.path_0)) == u32(0);
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
-        if(_S281)
+        if(_S277)
         {
-            _S281 = !scatter_of_path_0.is_scattered_0;
+            _S277 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
-        if(_S281)
+        if(_S277)
         {
-            _S281 = !Inside_is_in_0(scatter_of_path_0.path_0.inside_0);
+            _S277 = !Inside_is_in_0(scatter_of_path_0.path_0.inside_0);
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
-        (*at_8).counts_0 = _S281;
+        (*at_8).counts_0 = _S277;
     }
-    if(_S276)
+    if(_S272)
     {
         (*at_8).path_7.bounce_0 = u32(1);
         (*at_8).path_7.event_0 = u32(1);
@@ -4517,9 +4504,9 @@ fn local_ray_0( ray_16 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S282 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_16.origin_1);
+        var _S278 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_16.origin_1);
         direction_27 = Transform_direction_0(grid_from_world_2, ray_16.direction_1);
-        origin_8 = _S282;
+        origin_8 = _S278;
     }
     else
     {
@@ -4527,11 +4514,11 @@ fn local_ray_0( ray_16 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_8 = ray_16.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S283 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_26 = _S283;
+    var _S279 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S279;
     local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S283));
+    var speed_0 : f32 = max_element_0(abs(_S279));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -4608,8 +4595,8 @@ fn Walk_mirror_0( this_34 : Walk_0) -> vec3<i32>
 
 fn Walk_mirrored_plane_0( this_35 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S284 : vec3<i32> = Walk_mirror_0(this_35);
-    return ((plane_0 ^ (_S284))) - _S284;
+    var _S280 : vec3<i32> = Walk_mirror_0(this_35);
+    return ((plane_0 ^ (_S280))) - _S280;
 }
 
 fn LocalRay_mirrored_origin_0( this_36 : LocalRay_0) -> vec3<f32>
@@ -4624,16 +4611,16 @@ fn min_element_0( vector_5 : vec3<f32>) -> f32
 
 fn top_shift_of_0( grid_8 : PackedGrid_0) -> u32
 {
-    var _S285 : u32;
+    var _S281 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
-        _S285 = TOP_SHIFT_0;
+        _S281 = TOP_SHIFT_0;
     }
     else
     {
-        _S285 = grid_8.top_shift_0;
+        _S281 = grid_8.top_shift_0;
     }
-    return _S285;
+    return _S281;
 }
 
 fn LocalRay_tolerance_0( this_37 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
@@ -4652,29 +4639,29 @@ fn walk_from_0( base_1 : vec3<i32>,  ray_18 : LocalRay_0,  grid_9 : PackedGrid_0
     walk_0.ray_17 = ray_18;
     walk_0.base_0 = base_1;
     walk_0.octant_0 = LocalRay_octant_0(ray_18);
-    var _S286 : vec3<i32>;
+    var _S282 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S286 = Walk_mirrored_plane_0(walk_0, base_1);
+        _S282 = Walk_mirrored_plane_0(walk_0, base_1);
     }
     else
     {
-        _S286 = vec3<i32>(i32(0));
+        _S282 = vec3<i32>(i32(0));
     }
-    walk_0.offset_0 = _S286;
+    walk_0.offset_0 = _S282;
     walk_0.origin_9 = LocalRay_mirrored_origin_0(ray_18);
-    var _S287 : vec3<f32> = abs(ray_18.direction_26);
-    var _S288 : vec3<f32> = abs(ray_18.inverse_0);
+    var _S283 : vec3<f32> = abs(ray_18.direction_26);
+    var _S284 : vec3<f32> = abs(ray_18.inverse_0);
     var is_still_0 : vec3<bool> = (ray_18.direction_26) == vec3<f32>(0.0f);
-    walk_0.speed_1 = select(_S287, vec3<f32>((max_element_0(_S287) * 9.99999993922529029e-09f)), is_still_0);
-    walk_0.inverse_1 = select(_S288, vec3<f32>((min_element_0(_S288) * 9.99999986991104e+14f)), is_still_0);
+    walk_0.speed_1 = select(_S283, vec3<f32>((max_element_0(_S283) * 9.99999993922529029e-09f)), is_still_0);
+    walk_0.inverse_1 = select(_S284, vec3<f32>((min_element_0(_S284) * 9.99999986991104e+14f)), is_still_0);
     if(!IS_EXACT_0)
     {
-        var _S289 : vec3<f32> = vec3<f32>(base_1);
-        walk_0.origin_9 = select(ray_18.origin_7 - _S289, _S289 - ray_18.origin_7, (ray_18.direction_26) < vec3<f32>(0.0f));
-        var _S290 : vec3<f32> = max(_S287, vec3<f32>(1.00000004581370497e-18f));
-        walk_0.speed_1 = _S290;
-        walk_0.inverse_1 = vec3<f32>(1.0f) / _S290;
+        var _S285 : vec3<f32> = vec3<f32>(base_1);
+        walk_0.origin_9 = select(ray_18.origin_7 - _S285, _S285 - ray_18.origin_7, (ray_18.direction_26) < vec3<f32>(0.0f));
+        var _S286 : vec3<f32> = max(_S283, vec3<f32>(1.00000004581370497e-18f));
+        walk_0.speed_1 = _S286;
+        walk_0.inverse_1 = vec3<f32>(1.0f) / _S286;
     }
     var low_8 : vec3<i32> = cell_of_0(grid_9.origin_4);
     walk_0.tolerance_0 = LocalRay_tolerance_0(ray_18, low_8, low_8 + (((cell_of_0(grid_9.top_size_0)) << (vec3<u32>(top_shift_of_0(grid_9))))));
@@ -4702,65 +4689,65 @@ fn exact_product_0( a_4 : f32,  b_4 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_4);
     var b_parts_0 : vec2<f32> = halves_0(b_4);
-    var _S291 : f32 = a_parts_0.x;
-    var _S292 : f32 = b_parts_0.x;
-    var _S293 : f32 = b_parts_0.y;
-    var _S294 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S291 * _S292 - product_0 + _S291 * _S293 + _S294 * _S292 + _S294 * _S293);
+    var _S287 : f32 = a_parts_0.x;
+    var _S288 : f32 = b_parts_0.x;
+    var _S289 : f32 = b_parts_0.y;
+    var _S290 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S287 * _S288 - product_0 + _S287 * _S289 + _S290 * _S288 + _S290 * _S289);
 }
 
 fn exact_start_voxel_0( ray_19 : LocalRay_0) -> vec3<i32>
 {
     var way_3 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(0)]);
-    var _S295 : f32 = way_3.x;
-    var sum_3 : f32 = ray_19.origin_7[u32(0)] + _S295;
+    var _S291 : f32 = way_3.x;
+    var sum_3 : f32 = ray_19.origin_7[u32(0)] + _S291;
     var part_0 : f32 = sum_3 - ray_19.origin_7[u32(0)];
-    var low_9 : f32 = ray_19.origin_7[u32(0)] - (sum_3 - part_0) + (_S295 - part_0) + way_3.y;
+    var low_9 : f32 = ray_19.origin_7[u32(0)] - (sum_3 - part_0) + (_S291 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S296 : i32 = i32(whole_0);
-    var _S297 : bool;
+    var _S292 : i32 = i32(whole_0);
+    var _S293 : bool;
     if(sum_3 == whole_0)
     {
-        _S297 = low_9 < 0.0f;
+        _S293 = low_9 < 0.0f;
     }
     else
     {
-        _S297 = false;
+        _S293 = false;
     }
-    voxel_7[u32(0)] = _S296 - i32(_S297);
+    voxel_7[u32(0)] = _S292 - i32(_S293);
     var way_4 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(1)]);
-    var _S298 : f32 = way_4.x;
-    var sum_4 : f32 = ray_19.origin_7[u32(1)] + _S298;
+    var _S294 : f32 = way_4.x;
+    var sum_4 : f32 = ray_19.origin_7[u32(1)] + _S294;
     var part_1 : f32 = sum_4 - ray_19.origin_7[u32(1)];
-    var low_10 : f32 = ray_19.origin_7[u32(1)] - (sum_4 - part_1) + (_S298 - part_1) + way_4.y;
+    var low_10 : f32 = ray_19.origin_7[u32(1)] - (sum_4 - part_1) + (_S294 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S299 : i32 = i32(whole_1);
+    var _S295 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S297 = low_10 < 0.0f;
+        _S293 = low_10 < 0.0f;
     }
     else
     {
-        _S297 = false;
+        _S293 = false;
     }
-    voxel_7[u32(1)] = _S299 - i32(_S297);
+    voxel_7[u32(1)] = _S295 - i32(_S293);
     var way_5 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(2)]);
-    var _S300 : f32 = way_5.x;
-    var sum_5 : f32 = ray_19.origin_7[u32(2)] + _S300;
+    var _S296 : f32 = way_5.x;
+    var sum_5 : f32 = ray_19.origin_7[u32(2)] + _S296;
     var part_2 : f32 = sum_5 - ray_19.origin_7[u32(2)];
-    var low_11 : f32 = ray_19.origin_7[u32(2)] - (sum_5 - part_2) + (_S300 - part_2) + way_5.y;
+    var low_11 : f32 = ray_19.origin_7[u32(2)] - (sum_5 - part_2) + (_S296 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S301 : i32 = i32(whole_2);
+    var _S297 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S297 = low_11 < 0.0f;
+        _S293 = low_11 < 0.0f;
     }
     else
     {
-        _S297 = false;
+        _S293 = false;
     }
-    voxel_7[u32(2)] = _S301 - i32(_S297);
+    voxel_7[u32(2)] = _S297 - i32(_S293);
     return voxel_7;
 }
 
@@ -4773,16 +4760,16 @@ fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S302 : bool;
+    var _S298 : bool;
     if((this_40.ray_17.t_min_2) > 0.0f)
     {
-        _S302 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
+        _S298 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
     }
     else
     {
-        _S302 = false;
+        _S298 = false;
     }
-    if(_S302)
+    if(_S298)
     {
         return Walk_mirrored_0(this_40, exact_start_voxel_0(this_40.ray_17) - this_40.base_0);
     }
@@ -4793,16 +4780,16 @@ fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
 
 fn Walk_crossings_0( this_41 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    var _S303 : bool;
+    var _S299 : bool;
     if(IS_EXACT_0)
     {
-        _S303 = !CELLS_SKIP_0;
+        _S299 = !CELLS_SKIP_0;
     }
     else
     {
-        _S303 = false;
+        _S299 = false;
     }
-    if(_S303)
+    if(_S299)
     {
         return ((bitcast<vec3<f32>>((planes_1 + this_41.offset_0 + vec3<i32>(i32(1262485504))))) - vec3<f32>(1.2582912e+07f) - this_41.origin_9) * this_41.inverse_1;
     }
@@ -4811,20 +4798,20 @@ fn Walk_crossings_0( this_41 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 
 struct Crossing_0
 {
-     distance_2 : f32,
+     distance_0 : f32,
      distance_low_0 : f32,
      speed_2 : f32,
      axis_1 : u32,
 };
 
-fn Crossing_x24init_0( distance_3 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
+fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S304 : Crossing_0;
-    _S304.distance_2 = distance_3;
-    _S304.distance_low_0 = distance_low_1;
-    _S304.speed_2 = speed_3;
-    _S304.axis_1 = axis_2;
-    return _S304;
+    var _S300 : Crossing_0;
+    _S300.distance_0 = distance_1;
+    _S300.distance_low_0 = distance_low_1;
+    _S300.speed_2 = speed_3;
+    _S300.axis_1 = axis_2;
+    return _S300;
 }
 
 fn crossing_ahead_0( origin_10 : f32,  speed_4 : f32,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
@@ -4837,38 +4824,38 @@ fn crossing_ahead_0( origin_10 : f32,  speed_4 : f32,  axis_3 : u32,  plane_1 : 
 
 fn Crossing_is_before_0( this_42 : Crossing_0,  other_2 : Crossing_0) -> bool
 {
-    var ours_0 : vec2<f32> = exact_product_0(this_42.distance_2, other_2.speed_2);
-    var theirs_0 : vec2<f32> = exact_product_0(other_2.distance_2, this_42.speed_2);
+    var ours_0 : vec2<f32> = exact_product_0(this_42.distance_0, other_2.speed_2);
+    var theirs_0 : vec2<f32> = exact_product_0(other_2.distance_0, this_42.speed_2);
     if(IS_EXACT_0)
     {
         ours_0[i32(1)] = ours_0[i32(1)] + this_42.distance_low_0 * other_2.speed_2;
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_2.distance_low_0 * this_42.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S305 : bool;
+    var _S301 : bool;
     if(difference_1 < 0.0f)
     {
-        _S305 = true;
+        _S301 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S305 = (this_42.axis_1) < (other_2.axis_1);
+            _S301 = (this_42.axis_1) < (other_2.axis_1);
         }
         else
         {
-            _S305 = false;
+            _S301 = false;
         }
     }
-    return _S305;
+    return _S301;
 }
 
 fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : vec3<i32>,  is_first_0 : bool) -> Crossing_0
 {
-    var _S306 : bool;
+    var _S302 : bool;
     var found_1 : Crossing_0;
-    var _S307 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S303 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
@@ -4877,25 +4864,25 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
             {
                 if((speed_5[u32(0)]) == 0.0f)
                 {
-                    found_1 = _S307;
+                    found_1 = _S303;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_ahead_0(origin_11[u32(0)], speed_5[u32(0)], u32(0), planes_2[u32(0)]);
-                if((_S307.axis_1) == u32(3))
+                if((_S303.axis_1) == u32(3))
                 {
-                    _S306 = true;
+                    _S302 = true;
                 }
                 else
                 {
-                    _S306 = (Crossing_is_before_0(crossing_0, _S307)) == is_first_0;
+                    _S302 = (Crossing_is_before_0(crossing_0, _S303)) == is_first_0;
                 }
-                if(_S306)
+                if(_S302)
                 {
                     found_1 = crossing_0;
                 }
                 else
                 {
-                    found_1 = _S307;
+                    found_1 = _S303;
                 }
                 break;
             }
@@ -4912,13 +4899,13 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
                 var crossing_1 : Crossing_0 = crossing_ahead_0(origin_11[u32(1)], speed_5[u32(1)], u32(1), planes_2[u32(1)]);
                 if((found_1.axis_1) == u32(3))
                 {
-                    _S306 = true;
+                    _S302 = true;
                 }
                 else
                 {
-                    _S306 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
+                    _S302 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
                 }
-                if(_S306)
+                if(_S302)
                 {
                     found_1 = crossing_1;
                 }
@@ -4937,13 +4924,13 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
                 var crossing_2 : Crossing_0 = crossing_ahead_0(origin_11[u32(2)], speed_5[u32(2)], u32(2), planes_2[u32(2)]);
                 if((found_1.axis_1) == u32(3))
                 {
-                    _S306 = true;
+                    _S302 = true;
                 }
                 else
                 {
-                    _S306 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
+                    _S302 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
                 }
-                if(_S306)
+                if(_S302)
                 {
                     found_1 = crossing_2;
                 }
@@ -4960,7 +4947,7 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
 {
     var is_crossed_0 : bool;
     var plane_2 : i32;
-    var _S308 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
+    var _S304 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
     var arrival_0 : vec3<i32> = voxel_8;
     for(;;)
     {
@@ -4972,16 +4959,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S309 : bool = u32(0) == (_S308.axis_1);
-                if(_S309)
+                var _S305 : bool = u32(0) == (_S304.axis_1);
+                if(_S305)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S308);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S304);
                 }
-                if(_S309)
+                if(_S305)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -5002,16 +4989,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S310 : bool = u32(1) == (_S308.axis_1);
-                if(_S310)
+                var _S306 : bool = u32(1) == (_S304.axis_1);
+                if(_S306)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S308);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S304);
                 }
-                if(_S310)
+                if(_S306)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -5032,16 +5019,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S311 : bool = u32(2) == (_S308.axis_1);
-                if(_S311)
+                var _S307 : bool = u32(2) == (_S304.axis_1);
+                if(_S307)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S308);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S304);
                 }
-                if(_S311)
+                if(_S307)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -5096,9 +5083,9 @@ fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S312 : bool = !is_x_0;
+        var _S308 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S312)
+        if(_S308)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -5106,16 +5093,16 @@ fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S313 : bool;
-        if(_S312)
+        var _S309 : bool;
+        if(_S308)
         {
-            _S313 = !is_y_0;
+            _S309 = !is_y_0;
         }
         else
         {
-            _S313 = false;
+            _S309 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S313);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S309);
         (*voxel_10) = Walk_arrive_0(this_44, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -5137,8 +5124,8 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S314 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
-        return _S314;
+        var _S310 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
+        return _S310;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_46, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -5147,52 +5134,52 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var back_0 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_9 - vec3<f32>(t_first_1), this_46.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
-    var _S315 : vec3<f32> = vec3<f32>(1.2582912e+07f);
-    var rounded_0 : vec3<f32> = back_0 + _S315;
-    var _S316 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
-    var _S317 : vec3<f32> = vec3<f32>(0.5f);
-    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S315 - back_0)) >= (_S317 - this_46.tolerance_0);
-    var _S318 : bool = is_unsure_0.x;
-    var _S319 : bool;
-    if(_S318)
+    var _S311 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_0 : vec3<f32> = back_0 + _S311;
+    var _S312 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
+    var _S313 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S311 - back_0)) >= (_S313 - this_46.tolerance_0);
+    var _S314 : bool = is_unsure_0.x;
+    var _S315 : bool;
+    if(_S314)
     {
-        _S319 = is_unsure_0.y;
+        _S315 = is_unsure_0.y;
     }
     else
     {
-        _S319 = false;
+        _S315 = false;
     }
-    if(_S319)
+    if(_S315)
     {
-        _S319 = true;
+        _S315 = true;
     }
     else
     {
-        if(_S318)
+        if(_S314)
         {
-            _S319 = true;
+            _S315 = true;
         }
         else
         {
-            _S319 = is_unsure_0.y;
+            _S315 = is_unsure_0.y;
         }
-        if(_S319)
+        if(_S315)
         {
-            _S319 = is_unsure_0.z;
+            _S315 = is_unsure_0.z;
         }
         else
         {
-            _S319 = false;
+            _S315 = false;
         }
     }
     var arrival_1 : vec3<i32>;
-    if(_S319)
+    if(_S315)
     {
-        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S317)) + this_46.offset_0) - this_46.offset_0;
+        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S313)) + this_46.offset_0) - this_46.offset_0;
     }
     else
     {
-        arrival_1 = _S316;
+        arrival_1 = _S312;
     }
     (*voxel_12) = max(arrival_1, (*voxel_12));
     return true;
@@ -5200,44 +5187,44 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S320 : bool;
+    var _S316 : bool;
     var is_mirrored_0 : vec3<bool> = (Walk_mirror_0(this_47)) != vec3<i32>(i32(0));
     var near_3 : vec3<i32> = select(low_12, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_12), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S321 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_3, far_2);
-        return _S321;
+        var _S317 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_3, far_2);
+        return _S317;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S320 = (any(((*voxel_13) < near_3)));
+            _S316 = (any(((*voxel_13) < near_3)));
         }
         else
         {
-            _S320 = false;
+            _S316 = false;
         }
-        var _S322 : bool;
-        if(_S320)
+        var _S318 : bool;
+        if(_S316)
         {
-            _S322 = (all(((*voxel_13) < far_2)));
+            _S318 = (all(((*voxel_13) < far_2)));
         }
         else
         {
-            _S322 = false;
+            _S318 = false;
         }
-        if(_S322)
+        if(_S318)
         {
         }
         else
         {
             break;
         }
-        var _S323 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_3, (*voxel_13) < near_3));
-        if(!_S323)
+        var _S319 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_3, (*voxel_13) < near_3));
+        if(!_S319)
         {
             return false;
         }
@@ -5245,13 +5232,13 @@ fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12
     }
     if((all(((*voxel_13) >= near_3))))
     {
-        _S320 = (all(((*voxel_13) < far_2)));
+        _S316 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S320 = false;
+        _S316 = false;
     }
-    return _S320;
+    return _S316;
 }
 
 fn flip_of_0( octant_1 : u32) -> u32
@@ -5273,16 +5260,16 @@ fn ahead_of_0( mirror_0 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_2 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_2)))) & (u32(7)));
-    var _S324 : u32;
+    var _S320 : u32;
     if(code_2 < u32(2))
     {
-        _S324 = code_2 + u32(1);
+        _S320 = code_2 + u32(1);
     }
     else
     {
-        _S324 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S320 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S324;
+    return _S320;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5313,24 +5300,24 @@ fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S325 : i32;
+    var _S321 : i32;
     if(((((half_3 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S325 = i32(1);
+        _S321 = i32(1);
     }
     else
     {
-        _S325 = i32(0);
+        _S321 = i32(0);
     }
-    return u32(_S325);
+    return u32(_S321);
 }
 
 fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S326 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
-        return _S326;
+        var _S322 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
+        return _S322;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_48, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -5339,52 +5326,52 @@ fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var back_1 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_10 - vec3<f32>(t_first_2), this_48.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
-    var _S327 : vec3<f32> = vec3<f32>(1.2582912e+07f);
-    var rounded_1 : vec3<f32> = back_1 + _S327;
-    var _S328 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
-    var _S329 : vec3<f32> = vec3<f32>(0.5f);
-    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S327 - back_1)) >= (_S329 - this_48.tolerance_0);
-    var _S330 : bool = is_unsure_1.x;
-    var _S331 : bool;
-    if(_S330)
+    var _S323 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_1 : vec3<f32> = back_1 + _S323;
+    var _S324 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
+    var _S325 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S323 - back_1)) >= (_S325 - this_48.tolerance_0);
+    var _S326 : bool = is_unsure_1.x;
+    var _S327 : bool;
+    if(_S326)
     {
-        _S331 = is_unsure_1.y;
+        _S327 = is_unsure_1.y;
     }
     else
     {
-        _S331 = false;
+        _S327 = false;
     }
-    if(_S331)
+    if(_S327)
     {
-        _S331 = true;
+        _S327 = true;
     }
     else
     {
-        if(_S330)
+        if(_S326)
         {
-            _S331 = true;
+            _S327 = true;
         }
         else
         {
-            _S331 = is_unsure_1.y;
+            _S327 = is_unsure_1.y;
         }
-        if(_S331)
+        if(_S327)
         {
-            _S331 = is_unsure_1.z;
+            _S327 = is_unsure_1.z;
         }
         else
         {
-            _S331 = false;
+            _S327 = false;
         }
     }
     var arrival_2 : vec3<i32>;
-    if(_S331)
+    if(_S327)
     {
-        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S329)) + this_48.offset_0) - this_48.offset_0;
+        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S325)) + this_48.offset_0) - this_48.offset_0;
     }
     else
     {
-        arrival_2 = _S328;
+        arrival_2 = _S324;
     }
     (*voxel_15) = max(arrival_2, (*voxel_15));
     return true;
@@ -5392,48 +5379,48 @@ fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
 
 fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S332 : Walk_0 = walk_1;
-    var _S333 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_2) = _S333;
+    var _S328 : Walk_0 = walk_1;
+    var _S329 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_2) = _S329;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S334 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S332.base_0, cell_of_0(grid_10.max_1) - _S332.base_0);
-    if(!_S334)
+    var _S330 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S328.base_0, cell_of_0(grid_10.max_1) - _S328.base_0);
+    if(!_S330)
     {
         return false;
     }
-    var octant_4 : u32 = _S332.octant_0;
-    var _S335 : u32 = flip_of_0(_S332.octant_0);
+    var octant_4 : u32 = _S328.octant_0;
+    var _S331 : u32 = flip_of_0(_S328.octant_0);
     var top_shift_1 : u32 = top_shift_of_0(grid_10);
     var top_size_1 : vec3<i32> = cell_of_0(grid_10.top_size_0);
-    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S332.base_0;
-    var _S336 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S336, _S336 * top_size_1.y);
-    var _S337 : vec3<u32> = vec3<u32>(top_shift_1);
-    var _S338 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S332)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S337)));
-    var _S339 : vec3<i32> = Walk_mirrored_plane_0(_S332, stride_0);
-    var _S340 : u32 = ahead_of_0(Walk_mirror_0(_S332));
-    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S332, select(low_13 + ((top_size_1 << (_S337))), low_13, (Walk_mirror_0(_S332)) != _S333));
+    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S328.base_0;
+    var _S332 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S332, _S332 * top_size_1.y);
+    var _S333 : vec3<u32> = vec3<u32>(top_shift_1);
+    var _S334 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S328)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S333)));
+    var _S335 : vec3<i32> = Walk_mirrored_plane_0(_S328, stride_0);
+    var _S336 : u32 = ahead_of_0(Walk_mirror_0(_S328));
+    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S328, select(low_13 + ((top_size_1 << (_S333))), low_13, (Walk_mirror_0(_S328)) != _S329));
     if(!IS_EXACT_0)
     {
-        _S332.t_end_0 = min(_S332.t_end_0, min_element_0(Walk_crossings_0(_S332, end_1)));
+        _S328.t_end_0 = min(_S328.t_end_0, min_element_0(Walk_crossings_0(_S328, end_1)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S341 : bool;
+        var _S337 : bool;
         if(IS_EXACT_0)
         {
-            _S341 = (any((voxel_16 >= end_1)));
+            _S337 = (any((voxel_16 >= end_1)));
         }
         else
         {
-            _S341 = false;
+            _S337 = false;
         }
-        if(_S341)
+        if(_S337)
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S338 + dot_cells_0(_S339, (voxel_16 >> (_S337)))));
+        var cell_13 : u32 = cell_word_0(u32(_S334 + dot_cells_0(_S335, (voxel_16 >> (_S333)))));
         var is_found_4 : bool;
         var cell_14 : u32;
         var shift_4 : u32;
@@ -5441,7 +5428,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S335))));
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S331))));
                 shift_4 = u32(3);
             }
             else
@@ -5464,16 +5451,16 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
                 {
                     is_found_4 = false;
                 }
-                var _S342 : bool;
+                var _S338 : bool;
                 if(is_found_4)
                 {
-                    _S342 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                    _S338 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S342 = false;
+                    _S338 = false;
                 }
-                if(_S342)
+                if(_S338)
                 {
                 }
                 else
@@ -5481,7 +5468,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S335))));
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S331))));
                 shift_4 = shift_5;
             }
         }
@@ -5498,7 +5485,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S340);
+                exit_5 = extents_0(cell_14, _S336);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
@@ -5515,7 +5502,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             {
                 blocks_1 = blocks_of_record_0(record_5);
             }
-            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S335);
+            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S331);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5525,15 +5512,15 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S343 : bool = Walk_leave_1(_S332, &(voxel_16), exit_5);
-        if(!_S343)
+        var _S339 : bool = Walk_leave_1(_S328, &(voxel_16), exit_5);
+        if(!_S339)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*found_2) = Walk_mirrored_0(_S332, voxel_16) + _S332.base_0;
+    (*found_2) = Walk_mirrored_0(_S328, voxel_16) + _S328.base_0;
     return is_found_3;
 }
 
@@ -5545,17 +5532,17 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
 
 fn hit_at_0( last_5 : Crossing_0,  t_min_3 : f32,  inverse_2 : vec3<f32>,  voxel_17 : vec3<i32>,  instance_12 : u32,  octant_5 : u32) -> Hit_0
 {
-    var t_11 : f32 = last_5.distance_2 * inverse_2[last_5.axis_1];
-    var _S344 : f32;
+    var t_11 : f32 = last_5.distance_0 * inverse_2[last_5.axis_1];
+    var _S340 : f32;
     if(t_11 > t_min_3)
     {
-        _S344 = t_11;
+        _S340 = t_11;
     }
     else
     {
-        _S344 = t_min_3;
+        _S340 = t_min_3;
     }
-    return Hit_x24init_0(_S344, instance_12, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
+    return Hit_x24init_0(_S340, instance_12, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_13 : u32) -> Hit_0
@@ -5567,23 +5554,23 @@ fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_13 : u32) ->
     }
     var t_12 : vec3<f32> = Walk_crossings_0(walk_3, planes_3);
     var last_6 : f32 = max_element_0(t_12);
-    var _S345 : i32;
+    var _S341 : i32;
     if((t_12.z) == last_6)
     {
-        _S345 = i32(2);
+        _S341 = i32(2);
     }
     else
     {
         if((t_12.y) == last_6)
         {
-            _S345 = i32(1);
+            _S341 = i32(1);
         }
         else
         {
-            _S345 = i32(0);
+            _S341 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S345);
+    var axis_5 : u32 = u32(_S341);
     return Hit_x24init_0(max(last_6, walk_3.ray_17.t_min_2), instance_13, voxel_18, u32(2) * axis_5 + (((((walk_3.octant_0) >> (axis_5))) & (u32(1)))));
 }
 
@@ -5594,37 +5581,37 @@ fn hit_in_0( instance_14 : u32,  ray_21 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S346 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_14).grid_0);
-    var _S347 : bool;
+    var _S342 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_14).grid_0);
+    var _S343 : bool;
     if(IS_EXACT_0)
     {
-        _S347 = TOP_SHIFT_0 == u32(3);
+        _S343 = TOP_SHIFT_0 == u32(3);
     }
     else
     {
-        _S347 = false;
+        _S343 = false;
     }
     var base_2 : vec3<i32>;
-    if(_S347)
+    if(_S343)
     {
         base_2 = vec3<i32>(i32(0));
     }
     else
     {
-        base_2 = cell_of_0(_S346.origin_4);
+        base_2 = cell_of_0(_S342.origin_4);
     }
-    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S346);
+    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S342);
     var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(_S346, walk_4, &(voxel_19));
+    var is_found_6 : bool = first_voxel_0(_S342, walk_4, &(voxel_19));
     if(IS_SINGLE_0)
     {
-        _S347 = !IS_EXACT_0;
+        _S343 = !IS_EXACT_0;
     }
     else
     {
-        _S347 = false;
+        _S343 = false;
     }
-    if(_S347)
+    if(_S343)
     {
         (*ray_21) = ray_of_walk_0(walk_4, (*ray_21));
     }
@@ -5655,40 +5642,40 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
 {
-    var _S348 : u32 = u32(2) * index_29;
-    var _S349 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S348);
-    var _S350 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S348 + u32(1));
-    var node_12 : InstanceNode_0;
-    var _S351 : f32 = (bitcast<f32>((_S349.y)));
-    var _S352 : f32 = (bitcast<f32>((_S349.z)));
-    node_12.min_2[i32(0)] = (bitcast<f32>((_S349.x)));
-    node_12.min_2[i32(1)] = _S351;
-    node_12.min_2[i32(2)] = _S352;
-    node_12.index_28 = _S349.w;
-    var _S353 : f32 = (bitcast<f32>((_S350.y)));
-    var _S354 : f32 = (bitcast<f32>((_S350.z)));
-    node_12.max_2[i32(0)] = (bitcast<f32>((_S350.x)));
-    node_12.max_2[i32(1)] = _S353;
-    node_12.max_2[i32(2)] = _S354;
-    node_12.is_leaf_0 = _S350.w;
-    return node_12;
+    var _S344 : u32 = u32(2) * index_29;
+    var _S345 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S344);
+    var _S346 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S344 + u32(1));
+    var node_11 : InstanceNode_0;
+    var _S347 : f32 = (bitcast<f32>((_S345.y)));
+    var _S348 : f32 = (bitcast<f32>((_S345.z)));
+    node_11.min_2[i32(0)] = (bitcast<f32>((_S345.x)));
+    node_11.min_2[i32(1)] = _S347;
+    node_11.min_2[i32(2)] = _S348;
+    node_11.index_28 = _S345.w;
+    var _S349 : f32 = (bitcast<f32>((_S346.y)));
+    var _S350 : f32 = (bitcast<f32>((_S346.z)));
+    node_11.max_2[i32(0)] = (bitcast<f32>((_S346.x)));
+    node_11.max_2[i32(1)] = _S349;
+    node_11.max_2[i32(2)] = _S350;
+    node_11.is_leaf_0 = _S346.w;
+    return node_11;
 }
 
-fn entry_0( node_13 : InstanceNode_0,  ray_22 : Ray_0,  inverse_3 : vec3<f32>) -> f32
+fn entry_0( node_12 : InstanceNode_0,  ray_22 : Ray_0,  inverse_3 : vec3<f32>) -> f32
 {
-    var low_14 : vec3<f32> = (vector_of_0(node_13.min_2) - ray_22.origin_1) * inverse_3;
-    var high_5 : vec3<f32> = (vector_of_0(node_13.max_2) - ray_22.origin_1) * inverse_3;
-    var _S355 : f32 = max(ray_22.t_min_0, max_element_0(min(low_14, high_5)));
-    var _S356 : f32;
-    if(_S355 <= (min(ray_22.t_max_0, min_element_0(max(low_14, high_5)))))
+    var low_14 : vec3<f32> = (vector_of_0(node_12.min_2) - ray_22.origin_1) * inverse_3;
+    var high_5 : vec3<f32> = (vector_of_0(node_12.max_2) - ray_22.origin_1) * inverse_3;
+    var _S351 : f32 = max(ray_22.t_min_0, max_element_0(min(low_14, high_5)));
+    var _S352 : f32;
+    if(_S351 <= (min(ray_22.t_max_0, min_element_0(max(low_14, high_5)))))
     {
-        _S356 = _S355;
+        _S352 = _S351;
     }
     else
     {
-        _S356 = (bitcast<f32>(infinity_bits_0));
+        _S352 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S356;
+    return _S352;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
@@ -5696,8 +5683,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S357 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S357;
+        var _S353 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S353;
     }
     var ray_23 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -5706,15 +5693,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S358 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S354 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S359 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S360 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S355 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S356 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S360;
+    var is_leaf_2 : bool = _S356;
     var index_30 : u32 = u32(0);
-    var below_1 : u32 = _S359.index_28;
+    var below_1 : u32 = _S355.index_28;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -5724,16 +5711,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S361 : bool;
+            var _S357 : bool;
             if(is_done_1)
             {
-                _S361 = depth_1 > u32(0);
+                _S357 = depth_1 > u32(0);
             }
             else
             {
-                _S361 = !is_leaf_2;
+                _S357 = !is_leaf_2;
             }
-            if(_S361)
+            if(_S357)
             {
             }
             else
@@ -5744,25 +5731,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S362 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S363 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S358 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S359 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_23.t_max_0);
-                is_leaf_1 = _S363;
+                is_leaf_1 = _S359;
                 index_31 = stack_0[depth_2];
-                below_2 = _S362.index_28;
+                below_2 = _S358.index_28;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S364 : u32 = index_30 + u32(1);
-                var _S365 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S364);
-                var _S366 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S365, ray_23, _S358);
-                var to_right_0 : f32 = entry_0(_S366, ray_23, _S358);
+                var _S360 : u32 = index_30 + u32(1);
+                var _S361 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S360);
+                var _S362 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S361, ray_23, _S354);
+                var to_right_0 : f32 = entry_0(_S362, ray_23, _S354);
                 var is_left_4 : bool = to_left_0 <= to_right_0;
-                var _S367 : f32 = max(to_left_0, to_right_0);
+                var _S363 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S367 < INFINITY_0)
+                if(_S363 < INFINITY_0)
                 {
                     if(is_left_4)
                     {
@@ -5770,51 +5757,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                     }
                     else
                     {
-                        index_31 = _S364;
+                        index_31 = _S360;
                     }
                     stack_0[depth_1] = index_31;
-                    entries_0[depth_1] = _S367;
+                    entries_0[depth_1] = _S363;
                     index_31 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_31 = depth_1;
                 }
-                var _S368 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S369 : u32;
+                var _S364 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S365 : u32;
                 if(is_left_4)
                 {
-                    _S369 = _S364;
+                    _S365 = _S360;
                 }
                 else
                 {
-                    _S369 = below_2;
+                    _S365 = below_2;
                 }
-                var _S370 : u32;
+                var _S366 : u32;
                 if(is_left_4)
                 {
-                    _S370 = _S365.index_28;
+                    _S366 = _S361.index_28;
                 }
                 else
                 {
-                    _S370 = _S366.index_28;
+                    _S366 = _S362.index_28;
                 }
-                var _S371 : u32;
+                var _S367 : u32;
                 if(is_left_4)
                 {
-                    _S371 = _S365.is_leaf_0;
+                    _S367 = _S361.is_leaf_0;
                 }
                 else
                 {
-                    _S371 = _S366.is_leaf_0;
+                    _S367 = _S362.is_leaf_0;
                 }
-                var _S372 : bool = _S371 != u32(0);
-                var _S373 : u32 = index_31;
-                is_done_1 = _S368;
-                is_leaf_1 = _S372;
-                index_31 = _S369;
-                below_2 = _S370;
-                depth_1 = _S373;
+                var _S368 : bool = _S367 != u32(0);
+                var _S369 : u32 = index_31;
+                is_done_1 = _S364;
+                is_leaf_1 = _S368;
+                index_31 = _S365;
+                below_2 = _S366;
+                depth_1 = _S369;
             }
             is_leaf_2 = is_leaf_1;
             index_30 = index_31;
@@ -5823,17 +5810,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         {
             break;
         }
-        var _S374 : Hit_0 = hit_in_0(below_2, &(ray_23));
-        var _S375 : Hit_0 = nearest_4;
-        if((_S374.t_0) < (nearest_4.t_0))
+        var _S370 : Hit_0 = hit_in_0(below_2, &(ray_23));
+        var _S371 : Hit_0 = nearest_4;
+        if((_S370.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S374.t_0) == (_S375.t_0))
+            if((_S370.t_0) == (_S371.t_0))
             {
-                is_leaf_1 = (_S374.instance_1) < (nearest_4.instance_1);
+                is_leaf_1 = (_S370.instance_1) < (nearest_4.instance_1);
             }
             else
             {
@@ -5842,12 +5829,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         if(is_leaf_1)
         {
-            ray_23.t_max_0 = _S374.t_0;
+            ray_23.t_max_0 = _S370.t_0;
             if(is_any_enough_0)
             {
-                return _S374;
+                return _S370;
             }
-            nearest_4 = _S374;
+            nearest_4 = _S370;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -5858,33 +5845,33 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
 
 fn WalkTracer_trace_0( ray_24 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S376 : Hit_0 = visit_0(&((*ray_24)), is_any_enough_1, u32(0));
-    return _S376;
+    var _S372 : Hit_0 = visit_0(&((*ray_24)), is_any_enough_1, u32(0));
+    return _S372;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_25 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S377 : Hit_0 = WalkTracer_trace_0(&((*ray_25)), is_shadow_ray_1);
-    return _S377;
+    var _S373 : Hit_0 = WalkTracer_trace_0(&((*ray_25)), is_shadow_ray_1);
+    return _S373;
 }
 
 fn goes_on_4( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
     var beyond_10 : u32 = u32(4294967295);
-    var _S378 : Ray_0 = (*at_10).ray_10;
-    var _S379 : Path_0 = (*at_10).path_7;
-    var _S380 : Inside_0 = (*at_10).shadow_inside_2;
-    var _S381 : bool = (*at_10).relocates_2;
-    var _S382 : bool = (*at_10).path_relocates_2;
-    var _S383 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S378), false, &(_S379), &(_S380), &(_S381), &(_S382), &(beyond_10));
-    (*at_10).ray_10 = _S378;
-    (*at_10).path_7 = _S379;
-    (*at_10).shadow_inside_2 = _S380;
-    (*at_10).relocates_2 = _S381;
-    (*at_10).path_relocates_2 = _S382;
-    var _S384 : bool = goes_on_from_0(&((*at_10)), _S383, beyond_10, &((*sample_13)));
-    return _S384;
+    var _S374 : Ray_0 = (*at_10).ray_10;
+    var _S375 : Path_0 = (*at_10).path_7;
+    var _S376 : Inside_0 = (*at_10).shadow_inside_2;
+    var _S377 : bool = (*at_10).relocates_2;
+    var _S378 : bool = (*at_10).path_relocates_2;
+    var _S379 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S374), false, &(_S375), &(_S376), &(_S377), &(_S378), &(beyond_10));
+    (*at_10).ray_10 = _S374;
+    (*at_10).path_7 = _S375;
+    (*at_10).shadow_inside_2 = _S376;
+    (*at_10).relocates_2 = _S377;
+    (*at_10).path_relocates_2 = _S378;
+    var _S380 : bool = goes_on_from_0(&((*at_10)), _S379, beyond_10, &((*sample_13)));
+    return _S380;
 }
 
 fn Walker_arrives_0( this_49 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_11 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
@@ -5903,48 +5890,48 @@ fn place_of_found_0( place_6 : u32) -> u32
 
 fn count_arrival_0( ray_26 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S385 : i32;
+    var _S381 : i32;
     if(has_arrived_0)
     {
-        _S385 = i32(65537);
+        _S381 = i32(65537);
     }
     else
     {
-        _S385 = i32(1);
+        _S381 = i32(1);
     }
-    var _S386 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_26))]), u32(_S385));
+    var _S382 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_26))]), u32(_S381));
     return;
 }
 
 fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S387 : Hit_0 = miss_0();
+    var _S383 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
-    var _S388 : bool = (*at_11).is_shadow_ray_0;
+    var _S384 : bool = (*at_11).is_shadow_ray_0;
     var hit_16 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S389 : Ray_0 = (*at_11).ray_10;
-        var _S390 : Path_0 = (*at_11).path_7;
-        var _S391 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S392 : bool = (*at_11).relocates_2;
-        var _S393 : bool = (*at_11).path_relocates_2;
-        var _S394 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S389), _S388, &(_S390), &(_S391), &(_S392), &(_S393), &(beyond_12));
-        (*at_11).ray_10 = _S389;
-        (*at_11).path_7 = _S390;
-        (*at_11).shadow_inside_2 = _S391;
-        (*at_11).relocates_2 = _S392;
-        (*at_11).path_relocates_2 = _S393;
-        if(_S388)
+        var _S385 : Ray_0 = (*at_11).ray_10;
+        var _S386 : Path_0 = (*at_11).path_7;
+        var _S387 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S388 : bool = (*at_11).relocates_2;
+        var _S389 : bool = (*at_11).path_relocates_2;
+        var _S390 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S385), _S384, &(_S386), &(_S387), &(_S388), &(_S389), &(beyond_12));
+        (*at_11).ray_10 = _S385;
+        (*at_11).path_7 = _S386;
+        (*at_11).shadow_inside_2 = _S387;
+        (*at_11).relocates_2 = _S388;
+        (*at_11).path_relocates_2 = _S389;
+        if(_S384)
         {
             var to_light_0 : Ray_0 = (*at_11).ray_10;
-            var _S395 : vec3<f32> = (*sample_14).light_6;
-            var _S396 : bool = Walker_arrives_0(&((*at_11)), _S394, beyond_12, &(_S395));
-            (*sample_14).light_6 = _S395;
-            (*at_11).is_shadow_ray_0 = _S396;
+            var _S391 : vec3<f32> = (*sample_14).light_6;
+            var _S392 : bool = Walker_arrives_0(&((*at_11)), _S390, beyond_12, &(_S391));
+            (*sample_14).light_6 = _S391;
+            (*at_11).is_shadow_ray_0 = _S392;
             if((*at_11).counts_0)
             {
-                count_arrival_0(to_light_0, Hit_is_miss_0(_S394));
+                count_arrival_0(to_light_0, Hit_is_miss_0(_S390));
             }
             (*at_11).counts_0 = false;
             if((*at_11).is_shadow_ray_0)
@@ -5954,14 +5941,14 @@ fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_16 = _S394;
+        hit_16 = _S390;
     }
     else
     {
-        hit_16 = _S387;
+        hit_16 = _S383;
     }
-    var _S397 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
-    return _S397;
+    var _S393 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
+    return _S393;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5971,11 +5958,11 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S398 : Sampler_0;
-    _S398.seed_1 = seed_3;
-    _S398.pixel_0 = pixel_1;
-    _S398.sample_0 = sample_15;
-    return _S398;
+    var _S394 : Sampler_0;
+    _S394.seed_1 = seed_3;
+    _S394.pixel_0 = pixel_1;
+    _S394.sample_0 = sample_15;
+    return _S394;
 }
 
 struct Item_0
@@ -5990,14 +5977,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S399 : Item_0;
-    _S399.traces_0 = traces_1;
-    _S399.kind_2 = kind_3;
-    _S399.at_12 = at_13;
-    _S399.place_7 = place_8;
-    _S399.slot_0 = slot_1;
-    _S399.sampler_3 = sampler_4;
-    return _S399;
+    var _S395 : Item_0;
+    _S395.traces_0 = traces_1;
+    _S395.kind_2 = kind_3;
+    _S395.at_12 = at_13;
+    _S395.place_7 = place_8;
+    _S395.slot_0 = slot_1;
+    _S395.sampler_3 = sampler_4;
+    return _S395;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -6051,58 +6038,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S400 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S400;
+        var _S396 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S396;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S401 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S401);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S401 + real_time_0.number_0) & (u32(1))));
+    var _S397 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S397);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S397 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S402 : vec2<u32> = vec2<u32>(u32(5));
-    var _S403 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S402 - vec2<u32>(u32(1))) / _S402;
-    return _S403;
+    var _S398 : vec2<u32> = vec2<u32>(u32(5));
+    var _S399 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S398 - vec2<u32>(u32(1))) / _S398;
+    return _S399;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S404 : u32 = square_1 % columns_1;
-    var _S405 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S404, _S405);
-    var _S406 : vec2<u32> = vec2<u32>(u32(5));
-    var _S407 : vec2<u32> = at_15 * _S406;
-    var _S408 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S406;
-    return min(_S407 + _S408, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S400 : u32 = square_1 % columns_1;
+    var _S401 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S400, _S401);
+    var _S402 : vec2<u32> = vec2<u32>(u32(5));
+    var _S403 : vec2<u32> = at_15 * _S402;
+    var _S404 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S402;
+    return min(_S403 + _S404, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S409 : bool;
+    var _S405 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S409 = (at_16.x) < i32(params_0.width_0);
+        _S405 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S409 = false;
+        _S405 = false;
     }
-    if(_S409)
+    if(_S405)
     {
-        _S409 = (at_16.y) < i32(params_0.height_0);
+        _S405 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S409 = false;
+        _S405 = false;
     }
-    return _S409;
+    return _S405;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -6124,23 +6111,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S410 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S411 : bool = number_4 < _S410;
-        item_0.traces_0 = _S411;
-        if(_S411)
+        var _S406 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S407 : bool = number_4 < _S406;
+        item_0.traces_0 = _S407;
+        if(_S407)
         {
-            var _S412 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S412;
+            var _S408 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S408;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_5 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_1(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S413 : u32 = number_4 - cells_2;
-    var _S414 : vec2<u32> = pixel_that_traces_0(_S413);
-    item_0.at_12 = _S414;
-    var square_3 : u32 = _S413 - pixels_1;
+    var _S409 : u32 = number_4 - cells_2;
+    var _S410 : vec2<u32> = pixel_that_traces_0(_S409);
+    item_0.at_12 = _S410;
+    var square_3 : u32 = _S409 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6169,133 +6156,133 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S415 : u32;
+    var _S411 : u32;
     if(is_again_0)
     {
-        _S415 = u32(3);
+        _S411 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S415 = u32(2);
+            _S411 = u32(2);
         }
         else
         {
-            _S415 = u32(1);
+            _S411 = u32(1);
         }
     }
-    item_0.kind_2 = _S415;
+    item_0.kind_2 = _S411;
     if(is_square_0)
     {
-        var _S416 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S416;
+        var _S412 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S412;
     }
-    var _S417 : bool;
+    var _S413 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S415 = real_time_0.again_0;
+            _S411 = real_time_0.again_0;
         }
         else
         {
-            _S415 = count_7;
+            _S411 = count_7;
         }
-        _S417 = square_4 < _S415;
+        _S413 = square_4 < _S411;
     }
     else
     {
-        _S417 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S413 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S417;
+    item_0.traces_0 = _S413;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S415 = u32(2);
+            _S411 = u32(2);
         }
         else
         {
-            _S415 = (frame_0 & (u32(1)));
+            _S411 = (frame_0 & (u32(1)));
         }
-        _S415 = place_of_square_0(_S415, square_4);
+        _S411 = place_of_square_0(_S411, square_4);
     }
     else
     {
-        _S415 = index_of_0(item_0.at_12);
+        _S411 = index_of_0(item_0.at_12);
     }
-    item_0.place_7 = _S415;
+    item_0.place_7 = _S411;
     if(is_square_0)
     {
-        _S415 = real_time_0.pixels_0 + square_4;
+        _S411 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S415 = item_0.place_7;
+        _S411 = item_0.place_7;
     }
-    item_0.slot_0 = _S415;
-    var _S418 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S411;
+    var _S414 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S415 = u32(3266489909);
+        _S411 = u32(3266489909);
     }
     else
     {
-        _S415 = u32(2654435769);
+        _S411 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S418 ^ (_S415)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S414 ^ (_S411)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_2 : u32,  counts_1 : bool)
 {
-    var _S419 : bool;
+    var _S415 : bool;
     if(is_of_pixel_0)
     {
-        _S419 = has_0(u32(4096));
+        _S415 = has_0(u32(4096));
     }
     else
     {
-        _S419 = false;
+        _S415 = false;
     }
-    weighs_candidates_0 = _S419;
+    weighs_candidates_0 = _S415;
     counts_arrivals_0 = false;
-    if(_S419)
+    if(_S415)
     {
-        _S419 = counts_1;
+        _S415 = counts_1;
     }
     else
     {
-        _S419 = false;
+        _S415 = false;
     }
-    if(_S419)
+    if(_S415)
     {
         var stride_1 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S420 : u32 = pixel_2 / stride_1;
-        var _S421 : u32 = (pixel_2 + u32(7) * _S420 + real_time_0.number_0) % stride_1;
-        counts_arrivals_0 = _S421 == u32(0);
+        var _S416 : u32 = pixel_2 / stride_1;
+        var _S417 : u32 = (pixel_2 + u32(7) * _S416 + real_time_0.number_0) % stride_1;
+        counts_arrivals_0 = _S417 == u32(0);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S422 : Sample_0;
-    _S422.direct_0 = direct_1;
-    _S422.light_6 = light_10;
-    _S422.is_shown_0 = is_shown_1;
-    _S422.albedo_0 = albedo_1;
-    _S422.normal_4 = normal_7;
-    _S422.place_3 = place_9;
-    _S422.instance_8 = instance_15;
-    return _S422;
+    var _S418 : Sample_0;
+    _S418.direct_0 = direct_1;
+    _S418.light_6 = light_10;
+    _S418.is_shown_0 = is_shown_1;
+    _S418.albedo_0 = albedo_1;
+    _S418.normal_4 = normal_7;
+    _S418.place_3 = place_9;
+    _S418.instance_8 = instance_15;
+    return _S418;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S423 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S423, _S423, false, _S423, _S423, _S423, u32(4294967294));
+    var _S419 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S419, _S419, false, _S419, _S419, _S419, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_52 : Item_0) -> bool
@@ -6305,28 +6292,28 @@ fn Item_is_cell_0( this_52 : Item_0) -> bool
 
 fn Key_voxel_0( this_53 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S424 : u32 = Key_level_0(this_53);
-    var bits_4 : u32 = ((u32(1) << (_S424))) - u32(1);
+    var _S420 : u32 = Key_level_0(this_53);
+    var bits_4 : u32 = ((u32(1) << (_S420))) - u32(1);
     var place_10 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_53)))))));
-    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S424)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S424))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S424)))) & (bits_4))));
+    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S420)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S420))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S420)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_8 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S425 : Path_0;
-    _S425.sampler_0 = sampler_5;
-    _S425.bounce_0 = bounce_3;
-    _S425.event_0 = event_2;
-    _S425.kinds_0 = kinds_1;
-    _S425.scattered_0 = scattered_4;
-    _S425.beta_0 = beta_1;
-    _S425.pdf_1 = pdf_12;
-    _S425.normal_0 = normal_8;
-    _S425.selection_0 = selection_4;
-    _S425.passed_t_0 = passed_t_1;
-    _S425.inside_0 = inside_6;
-    _S425.is_clipped_0 = is_clipped_1;
-    return _S425;
+    var _S421 : Path_0;
+    _S421.sampler_0 = sampler_5;
+    _S421.bounce_0 = bounce_3;
+    _S421.event_0 = event_2;
+    _S421.kinds_0 = kinds_1;
+    _S421.scattered_0 = scattered_4;
+    _S421.beta_0 = beta_1;
+    _S421.pdf_1 = pdf_12;
+    _S421.normal_0 = normal_8;
+    _S421.selection_0 = selection_4;
+    _S421.passed_t_0 = passed_t_1;
+    _S421.inside_0 = inside_6;
+    _S421.is_clipped_0 = is_clipped_1;
+    return _S421;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6336,9 +6323,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S426 : f32 = z_1.z;
+    var _S422 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S426 < 0.0f)
+    if(_S422 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -6346,12 +6333,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_0 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S426);
-    var _S427 : f32 = z_1.x;
-    var _S428 : f32 = z_1.y;
-    var b_6 : f32 = _S427 * _S428 * a_6;
-    (*x_10) = vec3<f32>(1.0f + sign_0 * _S427 * _S427 * a_6, sign_0 * b_6, - sign_0 * _S427);
-    (*y_5) = vec3<f32>(b_6, sign_0 + _S428 * _S428 * a_6, - _S428);
+    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S422);
+    var _S423 : f32 = z_1.x;
+    var _S424 : f32 = z_1.y;
+    var b_6 : f32 = _S423 * _S424 * a_6;
+    (*x_10) = vec3<f32>(1.0f + sign_0 * _S423 * _S423 * a_6, sign_0 * b_6, - sign_0 * _S423);
+    (*y_5) = vec3<f32>(b_6, sign_0 + _S424 * _S424 * a_6, - _S424);
     return;
 }
 
@@ -6362,43 +6349,43 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S429 : f32 = local_5.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S429);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S429);
+    var _S425 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S425);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S425);
 }
 
 fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_10 : vec3<f32>,  face_10 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S430 : Surface_0;
-    _S430.origin_3 = origin_13;
-    _S430.normal_2 = normal_10;
-    _S430.face_1 = face_10;
-    _S430.instance_3 = instance_16;
-    return _S430;
+    var _S426 : Surface_0;
+    _S426.origin_3 = origin_13;
+    _S426.normal_2 = normal_10;
+    _S426.face_1 = face_10;
+    _S426.instance_3 = instance_16;
+    return _S426;
 }
 
 fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool,  counts_2 : bool,  sees_mover_1 : bool) -> Walker_0
 {
-    var _S431 : Walker_0;
-    _S431.path_7 = path_11;
-    _S431.ray_10 = ray_27;
-    _S431.is_shadow_ray_0 = is_shadow_ray_2;
-    _S431.light_5 = light_11;
-    _S431.direction_25 = direction_28;
-    _S431.path_origin_2 = path_origin_3;
-    _S431.shadow_inside_2 = shadow_inside_4;
-    _S431.boundaries_0 = boundaries_1;
-    _S431.relocates_2 = relocates_4;
-    _S431.path_relocates_2 = path_relocates_4;
-    _S431.camera_ray_0 = camera_ray_1;
-    _S431.way_2 = way_6;
-    _S431.has_shown_0 = has_shown_1;
-    _S431.asks_cache_0 = asks_cache_1;
-    _S431.life_0 = life_2;
-    _S431.is_at_cell_0 = is_at_cell_1;
-    _S431.counts_0 = counts_2;
-    _S431.sees_mover_0 = sees_mover_1;
-    return _S431;
+    var _S427 : Walker_0;
+    _S427.path_7 = path_11;
+    _S427.ray_10 = ray_27;
+    _S427.is_shadow_ray_0 = is_shadow_ray_2;
+    _S427.light_5 = light_11;
+    _S427.direction_25 = direction_28;
+    _S427.path_origin_2 = path_origin_3;
+    _S427.shadow_inside_2 = shadow_inside_4;
+    _S427.boundaries_0 = boundaries_1;
+    _S427.relocates_2 = relocates_4;
+    _S427.path_relocates_2 = path_relocates_4;
+    _S427.camera_ray_0 = camera_ray_1;
+    _S427.way_2 = way_6;
+    _S427.has_shown_0 = has_shown_1;
+    _S427.asks_cache_0 = asks_cache_1;
+    _S427.life_0 = life_2;
+    _S427.is_at_cell_0 = is_at_cell_1;
+    _S427.counts_0 = counts_2;
+    _S427.sees_mover_0 = sees_mover_1;
+    return _S427;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
@@ -6406,7 +6393,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var face_11 : u32 = ((key_3.face_and_level_0) & (u32(7)));
     var axis_6 : u32 = (face_11 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S432 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S428 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6423,13 +6410,13 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S433 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_10);
-    var origin_14 : vec3<f32> = Transform_point_0(_S433.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S433.grid_from_world_0.translation_0), _S432, face_11, _S432 + on_face_1));
-    var normal_11 : vec3<f32> = world_normal_0(_S433, face_11);
+    var _S429 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_10);
+    var origin_14 : vec3<f32> = Transform_point_0(_S429.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S429.grid_from_world_0.translation_0), _S428, face_11, _S428 + on_face_1));
+    var normal_11 : vec3<f32> = world_normal_0(_S429, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S434 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S434));
-    path_12.pdf_1 = _S434;
+    var _S430 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S430));
+    path_12.pdf_1 = _S430;
     var receiver_21 : Receiver_0 = Receiver_x24init_0(origin_14, normal_11);
     path_12.selection_0 = Lights_selection_0(receiver_21);
     path_12.normal_0 = normal_11;
@@ -6459,16 +6446,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S435 : CameraFrame_0;
-    _S435.lens_1 = lens_2;
-    _S435.eye_2 = eye_3;
-    _S435.corner_2 = corner_3;
-    _S435.pixel_x_1 = pixel_x_2;
-    _S435.pixel_y_1 = pixel_y_2;
-    _S435.lens_x_1 = lens_x_2;
-    _S435.lens_y_1 = lens_y_2;
-    _S435.blades_1 = blades_2;
-    return _S435;
+    var _S431 : CameraFrame_0;
+    _S431.lens_1 = lens_2;
+    _S431.eye_2 = eye_3;
+    _S431.corner_2 = corner_3;
+    _S431.pixel_x_1 = pixel_x_2;
+    _S431.pixel_y_1 = pixel_y_2;
+    _S431.lens_x_1 = lens_x_2;
+    _S431.lens_y_1 = lens_y_2;
+    _S431.blades_1 = blades_2;
+    return _S431;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6488,12 +6475,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S436 : Perspective_0;
-    _S436.eye_4 = eye_5;
-    _S436.corner_4 = corner_5;
-    _S436.pixel_x_3 = pixel_x_4;
-    _S436.pixel_y_3 = pixel_y_4;
-    return _S436;
+    var _S432 : Perspective_0;
+    _S432.eye_4 = eye_5;
+    _S432.corner_4 = corner_5;
+    _S432.pixel_x_3 = pixel_x_4;
+    _S432.pixel_y_3 = pixel_y_4;
+    return _S432;
 }
 
 struct Axes_0
@@ -6505,11 +6492,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S437 : Axes_0;
-    _S437.forward_0 = forward_1;
-    _S437.right_4 = right_5;
-    _S437.up_0 = up_1;
-    return _S437;
+    var _S433 : Axes_0;
+    _S433.forward_0 = forward_1;
+    _S433.right_4 = right_5;
+    _S433.up_0 = up_1;
+    return _S433;
 }
 
 struct ThinLens_0
@@ -6522,28 +6509,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S438 : ThinLens_0;
-    _S438.perspective_0 = perspective_1;
-    _S438.lens_x_3 = lens_x_4;
-    _S438.lens_y_3 = lens_y_4;
-    _S438.blades_3 = blades_4;
-    return _S438;
+    var _S434 : ThinLens_0;
+    _S434.perspective_0 = perspective_1;
+    _S434.lens_x_3 = lens_x_4;
+    _S434.lens_y_3 = lens_y_4;
+    _S434.blades_3 = blades_4;
+    return _S434;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_7 : f32 = 2.0f * square_5.x - 1.0f;
     var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S439 : bool;
+    var _S435 : bool;
     if(a_7 == 0.0f)
     {
-        _S439 = b_7 == 0.0f;
+        _S435 = b_7 == 0.0f;
     }
     else
     {
-        _S439 = false;
+        _S435 = false;
     }
-    if(_S439)
+    if(_S435)
     {
         return vec2<f32>(0.0f);
     }
@@ -6570,7 +6557,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S440 : f32 = abs(radius_4);
+    var _S436 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6579,7 +6566,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S440, radius_4);
+    return vec2<f32>(_S436, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6597,9 +6584,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S441 : f32 = from_0.y;
-    var _S442 : f32 = from_0.x;
-    return vec2<f32>(_S441 + (to_0.y - _S441) * share_8, _S442 + (to_0.x - _S442) * share_8) * vec2<f32>(radius_5);
+    var _S437 : f32 = from_0.y;
+    var _S438 : f32 = from_0.x;
+    return vec2<f32>(_S437 + (to_0.y - _S437) * share_8, _S438 + (to_0.x - _S438) * share_8) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_54 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6619,12 +6606,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S443 : Orthographic_0;
-    _S443.corner_6 = corner_7;
-    _S443.pixel_x_5 = pixel_x_6;
-    _S443.pixel_y_5 = pixel_y_6;
-    _S443.forward_2 = forward_3;
-    return _S443;
+    var _S439 : Orthographic_0;
+    _S439.corner_6 = corner_7;
+    _S439.pixel_x_5 = pixel_x_6;
+    _S439.pixel_y_5 = pixel_y_6;
+    _S439.forward_2 = forward_3;
+    return _S439;
 }
 
 fn Orthographic_ray_0( this_55 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6642,12 +6629,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S444 : Panorama_0;
-    _S444.eye_6 = eye_7;
-    _S444.axes_1 = axes_2;
-    _S444.inverse_size_0 = inverse_size_1;
-    _S444.half_eye_distance_0 = half_eye_distance_1;
-    return _S444;
+    var _S440 : Panorama_0;
+    _S440.eye_6 = eye_7;
+    _S440.axes_1 = axes_2;
+    _S440.inverse_size_0 = inverse_size_1;
+    _S440.half_eye_distance_0 = half_eye_distance_1;
+    return _S440;
 }
 
 fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6674,9 +6661,9 @@ fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_56.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S445 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S446 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S446 - this_56.axes_1.right_4 * _S445) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S445 + this_56.axes_1.right_4 * _S446) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S441 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S442 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S442 - this_56.axes_1.right_4 * _S441) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S441 + this_56.axes_1.right_4 * _S442) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6689,12 +6676,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S447 : Fisheye_0;
-    _S447.eye_8 = eye_9;
-    _S447.axes_3 = axes_4;
-    _S447.middle_1 = middle_2;
-    _S447.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S447;
+    var _S443 : Fisheye_0;
+    _S443.eye_8 = eye_9;
+    _S443.axes_3 = axes_4;
+    _S443.middle_1 = middle_2;
+    _S443.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S443;
 }
 
 fn Fisheye_ray_0( this_57 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6757,29 +6744,29 @@ fn camera_ray_2( pixel_3 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 
 fn Item_asks_cache_0( this_60 : Item_0) -> bool
 {
-    var _S448 : bool;
+    var _S444 : bool;
     if(Item_is_cell_0(this_60))
     {
-        _S448 = true;
+        _S444 = true;
     }
     else
     {
         if((this_60.kind_2) == u32(1))
         {
-            _S448 = has_0(u32(1));
+            _S444 = has_0(u32(1));
         }
         else
         {
-            _S448 = false;
+            _S444 = false;
         }
     }
-    return _S448;
+    return _S444;
 }
 
 fn at_camera_0( ray_29 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S449 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S449, _S449, _S449, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false, false, false);
+    var _S445 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false, false, false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6793,10 +6780,10 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     {
         var rank_7 : u32;
         var key_4 : Key_0 = Item_key_0(this_61, &(rank_7));
-        var _S450 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
-        return _S450;
+        var _S446 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
+        return _S446;
     }
-    var _S451 : CameraFrame_0 = FrameParams_camera_0();
+    var _S447 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_61.kind_2) == u32(3))
     {
@@ -6804,15 +6791,15 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S451;
+        camera_1 = _S447;
     }
     return at_camera_0(camera_ray_2(this_61.at_12, camera_1, this_61.sampler_3), this_61.sampler_3, Item_asks_cache_0(this_61));
 }
 
 fn packed_normal_0( normal_12 : vec3<f32>) -> u32
 {
-    var _S452 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
-    return (((((u32(_S452.x) & (u32(1023)))) | (((((u32(_S452.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S452.z) & (u32(1023)))) << (u32(20))))));
+    var _S448 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
+    return (((((u32(_S448.x) & (u32(1023)))) | (((((u32(_S448.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S448.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
@@ -6823,17 +6810,17 @@ fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
 
 fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 {
-    var _S453 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S454 : u32;
+    var _S449 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S450 : u32;
     if(sample_16.is_shown_0)
     {
-        _S454 = u32(1073741824);
+        _S450 = u32(1073741824);
     }
     else
     {
-        _S454 = u32(0);
+        _S450 = u32(0);
     }
-    var normal_13 : u32 = (_S453 | (_S454));
+    var normal_13 : u32 = (_S449 | (_S450));
     set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
     set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
     set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
@@ -6846,16 +6833,16 @@ fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S455 : f32;
+    var _S451 : f32;
     if(sample_17.is_shown_0)
     {
-        _S455 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S451 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S455 = 0.0f;
+        _S451 = 0.0f;
     }
-    return _S455;
+    return _S451;
 }
 
 fn Item_end_0( this_62 : Item_0,  sample_18 : Sample_0)
@@ -6887,8 +6874,8 @@ fn follow_0( item_1 : Item_0,  counts_3 : bool)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S456 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S456;
+        var _S452 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S452;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6904,8 +6891,8 @@ fn follow_0( item_1 : Item_0,  counts_3 : bool)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S457 : bool = goes_on_5(&(at_18), &(sample_19));
-            is_under_way_0 = _S457;
+            var _S453 : bool = goes_on_5(&(at_18), &(sample_19));
+            is_under_way_0 = _S453;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6924,8 +6911,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S458 : Item_0 = item_of_0(id_0.x);
-    follow_0(_S458, true);
+    var _S454 : Item_0 = item_of_0(id_0.x);
+    follow_0(_S454, true);
     return;
 }
 
@@ -6937,13 +6924,13 @@ fn trace_left(@builtin(global_invocation_id) id_1 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S459 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
-    var number_5 : u32 = _S459 + id_1.x;
-    var _S460 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
-    if(number_5 < _S460)
+    var _S455 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
+    var number_5 : u32 = _S455 + id_1.x;
+    var _S456 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
+    if(number_5 < _S456)
     {
-        var _S461 : Item_0 = item_of_0(rest_0[number_5]);
-        follow_0(_S461, false);
+        var _S457 : Item_0 = item_of_0(rest_0[number_5]);
+        follow_0(_S457, false);
     }
     return;
 }
@@ -6956,8 +6943,8 @@ fn trace_before(@builtin(global_invocation_id) id_2 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S462 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
-    follow_0(_S462, false);
+    var _S458 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
+    follow_0(_S458, false);
     return;
 }
 
@@ -6971,18 +6958,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S463 : Lit_0;
-    _S463.paths_0 = paths_1;
-    _S463.light_12 = light_13;
-    _S463.shaded_0 = shaded_1;
-    _S463.moments_0 = moments_1;
-    return _S463;
+    var _S459 : Lit_0;
+    _S459.paths_0 = paths_1;
+    _S459.light_12 = light_13;
+    _S459.shaded_0 = shaded_1;
+    _S459.moments_0 = moments_1;
+    return _S459;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S464 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S464, _S464, _S464);
+    var _S460 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S460, _S460, _S460);
 }
 
 struct Memory_0
@@ -7001,24 +6988,24 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_13 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32,  shown_1 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
-    var _S465 : Memory_0;
-    _S465.lit_0 = lit_1;
-    _S465.looks_0 = looks_1;
-    _S465.direct_2 = direct_3;
-    _S465.albedo_2 = albedo_3;
-    _S465.normal_14 = normal_15;
-    _S465.place_12 = place_13;
-    _S465.roughness_1 = roughness_2;
-    _S465.coverage_0 = coverage_1;
-    _S465.shown_0 = shown_1;
-    _S465.is_at_rest_0 = is_at_rest_1;
-    return _S465;
+    var _S461 : Memory_0;
+    _S461.lit_0 = lit_1;
+    _S461.looks_0 = looks_1;
+    _S461.direct_2 = direct_3;
+    _S461.albedo_2 = albedo_3;
+    _S461.normal_14 = normal_15;
+    _S461.place_12 = place_13;
+    _S461.roughness_1 = roughness_2;
+    _S461.coverage_0 = coverage_1;
+    _S461.shown_0 = shown_1;
+    _S461.is_at_rest_0 = is_at_rest_1;
+    return _S461;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S466 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S466, _S466, _S466, _S466, 0.0f, 0.0f, u32(0), false);
+    var _S462 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S462, _S462, _S462, _S462, 0.0f, 0.0f, u32(0), false);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -7045,12 +7032,12 @@ fn Lit_products_0( this_63 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S467 : u32 = words_3.x;
-    var _S468 : u32 = words_3.y;
-    var _S469 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S467), high_half_0(_S467), low_half_0(_S468)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S469;
-    var _S470 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S469, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S468), low_half_0(_S470), high_half_0(_S470)));
+    var _S463 : u32 = words_3.x;
+    var _S464 : u32 = words_3.y;
+    var _S465 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S463), high_half_0(_S463), low_half_0(_S464)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S465;
+    var _S466 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S465, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S464), low_half_0(_S466), high_half_0(_S466)));
     return lit_2;
 }
 
@@ -7074,19 +7061,19 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S471 : u32 = seen_0.x;
-    var _S472 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S471), high_half_0(_S471), low_half_0(_S472));
-    var _S473 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S472), low_half_0(_S473), high_half_0(_S473));
-    var _S474 : u32 = surface_6.w;
-    memory_0.normal_14 = normal_in_0(_S474);
+    var _S467 : u32 = seen_0.x;
+    var _S468 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S467), high_half_0(_S467), low_half_0(_S468));
+    var _S469 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S468), low_half_0(_S469), high_half_0(_S469));
+    var _S470 : u32 = surface_6.w;
+    memory_0.normal_14 = normal_in_0(_S470);
     memory_0.place_12 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S475 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S475);
-    memory_0.coverage_0 = low_half_0(_S475);
+    var _S471 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S471);
+    memory_0.coverage_0 = low_half_0(_S471);
     memory_0.shown_0 = seen_0.w;
-    memory_0.is_at_rest_0 = ((_S474 & (u32(2147483648)))) != u32(0);
+    memory_0.is_at_rest_0 = ((_S470 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -7107,9 +7094,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S476 : u32 = light_16.y;
-    var _S477 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S476), vec3<f32>(low_half_0(_S477), high_half_0(_S477), low_half_0(_S476)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S472 : u32 = light_16.y;
+    var _S473 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S472), vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S472)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -7148,20 +7135,20 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S478 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S478);
-    sample_20.is_shown_0 = ((_S478 & (u32(1073741824)))) != u32(0);
+    var _S474 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S474);
+    sample_20.is_shown_0 = ((_S474 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S479 : f32 = (*this_65).looks_0 + 1.0f;
-    (*this_65).looks_0 = _S479;
-    var share_9 : f32 = 1.0f / _S479;
-    var _S480 : vec3<f32> = vec3<f32>(share_9);
-    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S480;
-    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S480;
+    var _S475 : f32 = (*this_65).looks_0 + 1.0f;
+    (*this_65).looks_0 = _S475;
+    var share_9 : f32 = 1.0f / _S475;
+    var _S476 : vec3<f32> = vec3<f32>(share_9);
+    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S476;
+    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S476;
     if(!sample_21.is_shown_0)
     {
         (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_9;
@@ -7171,9 +7158,9 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_65).coverage_0 = covered_0 * share_9;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_65).place_12;
-    var _S481 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S481);
-    (*this_65).place_12 = (*this_65).place_12 + (sample_21.place_3 - (*this_65).place_12) * _S481;
+    var _S477 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S477);
+    (*this_65).place_12 = (*this_65).place_12 + (sample_21.place_3 - (*this_65).place_12) * _S477;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_65).normal_14, sample_21.place_3 - before_0);
@@ -7184,45 +7171,45 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 
 fn Lit_add_0( this_66 : ptr<function, Lit_0>,  found_3 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S482 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
-    (*this_66).paths_0 = _S482;
+    var _S478 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
+    (*this_66).paths_0 = _S478;
     var l_1 : f32 = luminance_0(found_3);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S483 : vec3<f32> = vec3<f32>((1.0f / _S482));
-    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S483;
-    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S483;
-    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S483;
+    var _S479 : vec3<f32> = vec3<f32>((1.0f / _S478));
+    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S479;
+    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S479;
+    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S479;
     return;
 }
 
 fn Memory_add_0( this_67 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_67)), sample_22);
-    var _S484 : Lit_0 = (*this_67).lit_0;
-    Lit_add_0(&(_S484), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_67).lit_0 = _S484;
+    var _S480 : Lit_0 = (*this_67).lit_0;
+    Lit_add_0(&(_S480), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_67).lit_0 = _S480;
     return;
 }
 
 fn shows_mover_0( sample_23 : Sample_0) -> bool
 {
-    var _S485 : bool;
+    var _S481 : bool;
     if((real_time_0.motions_0) != u32(0))
     {
         if((sample_23.instance_8) == u32(4294967295))
         {
-            _S485 = true;
+            _S481 = true;
         }
         else
         {
-            _S485 = is_mover_0(sample_23.instance_8);
+            _S481 = is_mover_0(sample_23.instance_8);
         }
     }
     else
     {
-        _S485 = false;
+        _S481 = false;
     }
-    return _S485;
+    return _S481;
 }
 
 fn shifted_0( numbers_0 : vec4<f32>,  by_0 : u32) -> vec4<f32>
@@ -7243,24 +7230,24 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S486 : bool;
+    var _S482 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S486 = true;
+        _S482 = true;
     }
     else
     {
-        _S486 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S482 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S486)
+    if(_S482)
     {
-        _S486 = true;
+        _S482 = true;
     }
     else
     {
-        _S486 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S482 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S486;
+    return _S482;
 }
 
 fn halves_1( low_15 : f32,  high_6 : f32) -> u32
@@ -7271,8 +7258,8 @@ fn halves_1( low_15 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_68 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_68, kept_1);
-    var _S487 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S487), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S487);
+    var _S483 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S483), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S483);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7287,26 +7274,26 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S488 : u32 = packed_normal_0(memory_2.normal_14);
-    var _S489 : u32;
+    var _S484 : u32 = packed_normal_0(memory_2.normal_14);
+    var _S485 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S489 = u32(1073741824);
+        _S485 = u32(1073741824);
     }
     else
     {
-        _S489 = u32(0);
+        _S485 = u32(0);
     }
-    var _S490 : u32 = (_S488 | (_S489));
+    var _S486 : u32 = (_S484 | (_S485));
     if(memory_2.is_at_rest_0)
     {
-        _S489 = u32(2147483648);
+        _S485 = u32(2147483648);
     }
     else
     {
-        _S489 = u32(0);
+        _S485 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_12))), (_S490 | (_S489)));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_12))), (_S486 | (_S485)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_0);
@@ -7336,16 +7323,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_at_rest_2 = (memory_3.looks_0) == 0.0f;
         }
-        var _S491 : f32;
+        var _S487 : f32;
         if(memory_3.is_at_rest_0)
         {
-            _S491 = max(real_time_0.most_paths_0, 256.0f);
+            _S487 = max(real_time_0.most_paths_0, 256.0f);
         }
         else
         {
-            _S491 = real_time_0.most_paths_0;
+            _S487 = real_time_0.most_paths_0;
         }
-        Memory_add_0(&(memory_3), sample_24, _S491);
+        Memory_add_0(&(memory_3), sample_24, _S487);
         if(is_at_rest_2)
         {
             is_at_rest_2 = !shows_mover_0(sample_24);
@@ -7366,15 +7353,15 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         }
         if(is_in_motion_0)
         {
-            _S491 = 4.0f;
+            _S487 = 4.0f;
         }
         else
         {
-            _S491 = 16.0f;
+            _S487 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S492 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S492;
+        var _S488 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S488;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7388,17 +7375,17 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S493 : f32 = memory_3.looks_0;
-                    var _S494 : f32;
+                    var _S489 : f32 = memory_3.looks_0;
+                    var _S490 : f32;
                     if(differs_0)
                     {
-                        _S494 = _S491;
+                        _S490 = _S487;
                     }
                     else
                     {
-                        _S494 = 4.0f;
+                        _S490 = 4.0f;
                     }
-                    is_at_rest_2 = _S493 < _S494;
+                    is_at_rest_2 = _S489 < _S490;
                 }
                 else
                 {
@@ -7416,7 +7403,7 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(looking_ray_0(at_19, looks_3), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S492;
+                seen_1 = _S488;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_4(&(look_0), &(seen_1));
@@ -7431,16 +7418,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
                     is_in_motion_0 = differ_0(seen_1, sample_24);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                var _S495 : bool;
+                var _S491 : bool;
                 if(memory_3.is_at_rest_0)
                 {
-                    _S495 = !shows_mover_0(seen_1);
+                    _S491 = !shows_mover_0(seen_1);
                 }
                 else
                 {
-                    _S495 = false;
+                    _S491 = false;
                 }
-                memory_3.is_at_rest_0 = _S495;
+                memory_3.is_at_rest_0 = _S491;
                 differs_0 = is_in_motion_0;
             }
             is_under_way_1 = is_under_way_2;

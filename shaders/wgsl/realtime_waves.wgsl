@@ -2993,12 +2993,13 @@ fn with_slack_0( receiver_2 : Receiver_0,  cos_1 : f32) -> f32
 
 fn reach_of_0( toward_0 : vec3<f32>,  half_1 : vec3<f32>) -> vec3<f32>
 {
-    return max(abs(toward_0), half_1 * vec3<f32>(0.75f));
+    return max(abs(toward_0), half_1);
 }
 
-fn length_bound_0( absolute_0 : vec3<f32>) -> f32
+fn reciprocal_guess_0( x_7 : f32) -> f32
 {
-    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_7))))));
+    return guess_2 * (2.0f - x_7 * guess_2);
 }
 
 struct BySide_0
@@ -3015,23 +3016,16 @@ fn BySide_x24init_0( low_11 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
     return _S192;
 }
 
-fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
+fn sent_by_side_0( node_1 : LightNode_0,  point_2 : vec3<f32>) -> BySide_0
 {
     var _S193 : vec3<f32> = vec3<f32>(0.0f);
-    var _S194 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * min(max(vector_of_0(node_1.max_1) - point_2, _S193), _S194), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * min(max(point_2 - vector_of_0(node_1.min_1), _S193), _S194));
+    return BySide_x24init_0(vec3<f32>(node_1.power_3[i32(0)], node_1.power_3[i32(2)], node_1.power_3[i32(4)]) * max(vector_of_0(node_1.max_1) - point_2, _S193), vec3<f32>(node_1.power_3[i32(1)], node_1.power_3[i32(3)], node_1.power_3[i32(5)]) * max(point_2 - vector_of_0(node_1.min_1), _S193));
 }
 
 fn BySide_sum_0( this_34 : BySide_0) -> f32
 {
     var axes_0 : vec3<f32> = this_34.low_10 + this_34.high_4;
     return axes_0.x + axes_0.y + axes_0.z;
-}
-
-fn reciprocal_guess_0( x_7 : f32) -> f32
-{
-    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_7))))));
-    return guess_2 * (2.0f - x_7 * guess_2);
 }
 
 fn nearest_of_0( toward_1 : vec3<f32>,  half_2 : vec3<f32>) -> vec3<f32>
@@ -3041,24 +3035,24 @@ fn nearest_of_0( toward_1 : vec3<f32>,  half_2 : vec3<f32>) -> vec3<f32>
 
 fn View_x24init_0( importance_1 : f32,  of_nearest_1 : f32,  is_far_1 : bool) -> View_0
 {
-    var _S195 : View_0;
-    _S195.importance_0 = importance_1;
-    _S195.of_nearest_0 = of_nearest_1;
-    _S195.is_far_0 = is_far_1;
-    return _S195;
+    var _S194 : View_0;
+    _S194.importance_0 = importance_1;
+    _S194.of_nearest_0 = of_nearest_1;
+    _S194.is_far_0 = is_far_1;
+    return _S194;
 }
 
 fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S196 : vec3<f32> = vector_of_0(node_2.max_1);
-    var _S197 : vec3<f32> = vector_of_0(node_2.min_1);
-    var _S198 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S196 - _S197) * _S198;
-    var toward_2 : vec3<f32> = (_S197 + _S196) * _S198 - receiver_3.point_0;
+    var _S195 : vec3<f32> = vector_of_0(node_2.max_1);
+    var _S196 : vec3<f32> = vector_of_0(node_2.min_1);
+    var _S197 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S195 - _S196) * _S197;
+    var toward_2 : vec3<f32> = (_S196 + _S195) * _S197 - receiver_3.point_0;
     var middle_0 : f32 = dot_product_0(toward_2, receiver_3.normal_2);
     var aside_0 : f32 = dot_product_0(half_3, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_0 + aside_0);
-    var far_4 : f32 = length_squared_0(toward_2);
+    var far_4 : f32 = length_squared_0(reach_of_0(toward_2, half_3));
     var near_4 : f32 = length_squared_0(half_3);
     var is_far_2 : bool;
     if((with_slack_0(receiver_3, middle_0 - aside_0)) > 0.0f)
@@ -3069,14 +3063,11 @@ fn view_0( node_2 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     {
         is_far_2 = false;
     }
-    var reach_0 : vec3<f32> = reach_of_0(toward_2, half_3);
-    var distance_3 : f32 = length_bound_0(reach_0);
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0, distance_3));
-    var falloff_0 : f32 = reciprocal_guess_0(length_squared_0(reach_0));
+    var falloff_0 : f32 = reciprocal_guess_0(far_4);
     var cosines_0 : f32;
     if(above_0 > 0.0f)
     {
-        cosines_0 = sent_0 * min(above_0, distance_3) * falloff_0;
+        cosines_0 = BySide_sum_0(sent_by_side_0(node_2, receiver_3.point_0)) * above_0 * falloff_0;
     }
     else
     {
@@ -3121,25 +3112,25 @@ fn Lights_sun_probability_0( receiver_6 : Receiver_0) -> f32
 
 fn Lights_has_chosen_sky_0() -> bool
 {
-    var _S199 : bool;
+    var _S198 : bool;
     if(SKY_0 == u32(1))
     {
-        _S199 = (params_0.sky_irradiance_0) > 0.0f;
+        _S198 = (params_0.sky_irradiance_0) > 0.0f;
     }
     else
     {
-        _S199 = false;
+        _S198 = false;
     }
-    return _S199;
+    return _S198;
 }
 
 fn Selection_x24init_0( sun_1 : f32,  sky_2 : f32,  emitters_1 : f32) -> Selection_0
 {
-    var _S200 : Selection_0;
-    _S200.sun_0 = sun_1;
-    _S200.sky_1 = sky_2;
-    _S200.emitters_0 = emitters_1;
-    return _S200;
+    var _S199 : Selection_0;
+    _S199.sun_0 = sun_1;
+    _S199.sky_1 = sky_2;
+    _S199.emitters_0 = emitters_1;
+    return _S199;
 }
 
 fn Lights_sky_probability_0( receiver_7 : Receiver_0) -> f32
@@ -3169,8 +3160,8 @@ fn Lights_selection_0( receiver_8 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_8);
-    var _S201 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S201, sky_3, (1.0f - sun_2) * _S201);
+    var _S200 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S200, sky_3, (1.0f - sun_2) * _S200);
 }
 
 fn Path_selection_at_0( this_35 : Path_0,  last_3 : Receiver_0) -> Selection_0
@@ -3187,30 +3178,30 @@ fn Environment_pdf_0( direction_14 : vec3<f32>) -> f32
 
 fn Sky_pdf_0( direction_15 : vec3<f32>) -> f32
 {
-    var _S202 : f32;
+    var _S201 : f32;
     if(SKY_0 == u32(1))
     {
-        _S202 = Environment_pdf_0(direction_15);
+        _S201 = Environment_pdf_0(direction_15);
+    }
+    else
+    {
+        _S201 = 0.0f;
+    }
+    return _S201;
+}
+
+fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
+{
+    var _S202 : f32;
+    if(Lights_has_chosen_sky_0())
+    {
+        _S202 = Sky_pdf_0(direction_16) * selection_1.sky_1;
     }
     else
     {
         _S202 = 0.0f;
     }
     return _S202;
-}
-
-fn Lights_sky_pdf_0( selection_1 : Selection_0,  direction_16 : vec3<f32>) -> f32
-{
-    var _S203 : f32;
-    if(Lights_has_chosen_sky_0())
-    {
-        _S203 = Sky_pdf_0(direction_16) * selection_1.sky_1;
-    }
-    else
-    {
-        _S203 = 0.0f;
-    }
-    return _S203;
 }
 
 fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
@@ -3221,16 +3212,16 @@ fn power_heuristic_0( own_0 : f32,  other_1 : f32) -> f32
 
 fn mis_weight_0( bounce_pdf_0 : f32,  light_pdf_0 : f32) -> f32
 {
-    var _S204 : bool;
+    var _S203 : bool;
     if(bounce_pdf_0 == 0.0f)
     {
-        _S204 = true;
+        _S203 = true;
     }
     else
     {
-        _S204 = light_pdf_0 == 0.0f;
+        _S203 = light_pdf_0 == 0.0f;
     }
-    if(_S204)
+    if(_S203)
     {
         return 1.0f;
     }
@@ -3244,24 +3235,24 @@ fn SunDisc_is_visible_0() -> bool
 
 fn Path_is_straight_0( this_36 : Path_0) -> bool
 {
-    var _S205 : bool;
+    var _S204 : bool;
     if((this_36.bounce_0) == u32(0))
     {
-        _S205 = (this_36.pdf_1) == 0.0f;
+        _S204 = (this_36.pdf_1) == 0.0f;
     }
     else
     {
-        _S205 = false;
+        _S204 = false;
     }
-    if(_S205)
+    if(_S204)
     {
-        _S205 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
+        _S204 = (all(((this_36.normal_0) == vec3<f32>(0.0f))));
     }
     else
     {
-        _S205 = false;
+        _S204 = false;
     }
-    return _S205;
+    return _S204;
 }
 
 fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
@@ -3271,44 +3262,44 @@ fn SunDisc_contains_0( direction_17 : vec3<f32>) -> bool
 
 fn SunDisc_le_0( direction_18 : vec3<f32>) -> vec3<f32>
 {
-    var _S206 : vec3<f32>;
+    var _S205 : vec3<f32>;
     if(SunDisc_contains_0(direction_18))
     {
-        _S206 = params_0.sun_radiance_0;
+        _S205 = params_0.sun_radiance_0;
     }
     else
     {
-        _S206 = vec3<f32>(0.0f);
+        _S205 = vec3<f32>(0.0f);
     }
-    return _S206;
+    return _S205;
 }
 
 fn SunDisc_pdf_0( direction_19 : vec3<f32>) -> f32
 {
-    var _S207 : f32;
+    var _S206 : f32;
     if(SunDisc_contains_0(direction_19))
     {
-        _S207 = params_0.sun_pdf_0;
+        _S206 = params_0.sun_pdf_0;
+    }
+    else
+    {
+        _S206 = 0.0f;
+    }
+    return _S206;
+}
+
+fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
+{
+    var _S207 : f32;
+    if(has_sun_0())
+    {
+        _S207 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
     }
     else
     {
         _S207 = 0.0f;
     }
     return _S207;
-}
-
-fn Lights_sun_pdf_0( selection_2 : Selection_0,  direction_20 : vec3<f32>) -> f32
-{
-    var _S208 : f32;
-    if(has_sun_0())
-    {
-        _S208 = SunDisc_pdf_0(direction_20) * selection_2.sun_0;
-    }
-    else
-    {
-        _S208 = 0.0f;
-    }
-    return _S208;
 }
 
 fn Path_dimension_scatter_0( this_37 : Path_0) -> u32
@@ -3371,12 +3362,12 @@ struct Aim_0
 
 fn Aim_x24init_0( is_met_1 : bool,  direction_22 : vec3<f32>,  hit_7 : Hit_0,  luminance_2 : f32) -> Aim_0
 {
-    var _S209 : Aim_0;
-    _S209.is_met_0 = is_met_1;
-    _S209.direction_21 = direction_22;
-    _S209.hit_6 = hit_7;
-    _S209.luminance_1 = luminance_2;
-    return _S209;
+    var _S208 : Aim_0;
+    _S208.is_met_0 = is_met_1;
+    _S208.direction_21 = direction_22;
+    _S208.hit_6 = hit_7;
+    _S208.luminance_1 = luminance_2;
+    return _S208;
 }
 
 struct LightSample_0
@@ -3389,18 +3380,18 @@ struct LightSample_0
 
 fn LightSample_x24init_0( ray_14 : Ray_0,  cos_theta_2 : f32,  radiance_2 : vec3<f32>,  pdf_3 : f32) -> LightSample_0
 {
-    var _S210 : LightSample_0;
-    _S210.ray_13 = ray_14;
-    _S210.cos_theta_1 = cos_theta_2;
-    _S210.radiance_1 = radiance_2;
-    _S210.pdf_2 = pdf_3;
-    return _S210;
+    var _S209 : LightSample_0;
+    _S209.ray_13 = ray_14;
+    _S209.cos_theta_1 = cos_theta_2;
+    _S209.radiance_1 = radiance_2;
+    _S209.pdf_2 = pdf_3;
+    return _S209;
 }
 
 fn no_light_0() -> LightSample_0
 {
-    var _S211 : vec3<f32> = vec3<f32>(0.0f);
-    return LightSample_x24init_0(Ray_x24init_0(_S211, 0.0f, _S211, 0.0f), 0.0f, _S211, 0.0f);
+    var _S210 : vec3<f32> = vec3<f32>(0.0f);
+    return LightSample_x24init_0(Ray_x24init_0(_S210, 0.0f, _S210, 0.0f), 0.0f, _S210, 0.0f);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -3456,36 +3447,36 @@ struct ChosenDirection_0
 
 fn ChosenDirection_x24init_0( direction_26 : vec3<f32>,  radiance_4 : vec3<f32>,  pdf_5 : f32) -> ChosenDirection_0
 {
-    var _S212 : ChosenDirection_0;
-    _S212.direction_25 = direction_26;
-    _S212.radiance_3 = radiance_4;
-    _S212.pdf_4 = pdf_5;
-    return _S212;
+    var _S211 : ChosenDirection_0;
+    _S211.direction_25 = direction_26;
+    _S211.radiance_3 = radiance_4;
+    _S211.pdf_4 = pdf_5;
+    return _S211;
 }
 
 fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
 {
     var u_5 : f32 = square_0.x * 2.0f - 1.0f;
     var v_5 : f32 = square_0.y * 2.0f - 1.0f;
-    var _S213 : f32 = abs(u_5);
-    var _S214 : f32 = abs(v_5);
-    var height_1 : f32 = 1.0f - (_S213 + _S214);
+    var _S212 : f32 = abs(u_5);
+    var _S213 : f32 = abs(v_5);
+    var height_1 : f32 = 1.0f - (_S212 + _S213);
     var radius_2 : f32 = 1.0f - abs(height_1);
     var turns_2 : f32;
     if(radius_2 > 0.0f)
     {
-        turns_2 = (divide_0(_S214 - _S213, radius_2) + 1.0f) * 0.125f;
+        turns_2 = (divide_0(_S213 - _S212, radius_2) + 1.0f) * 0.125f;
     }
     else
     {
         turns_2 = 0.0f;
     }
     var sin_cos_1 : vec2<f32> = sincos_turns_0(turns_2);
-    var _S215 : f32 = radius_2 * radius_2;
-    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S215);
+    var _S214 : f32 = radius_2 * radius_2;
+    var across_0 : f32 = radius_2 * square_root_0(2.0f - _S214);
     var x_9 : f32 = sin_cos_1.y * across_0;
     var y_4 : f32 = sin_cos_1.x * across_0;
-    var z_0 : f32 = 1.0f - _S215;
+    var z_0 : f32 = 1.0f - _S214;
     if(u_5 < 0.0f)
     {
         turns_2 = - x_9;
@@ -3494,45 +3485,45 @@ fn direction_of_0( square_0 : vec2<f32>) -> vec3<f32>
     {
         turns_2 = x_9;
     }
-    var _S216 : f32;
+    var _S215 : f32;
     if(v_5 < 0.0f)
     {
-        _S216 = - y_4;
+        _S215 = - y_4;
     }
     else
     {
-        _S216 = y_4;
+        _S215 = y_4;
     }
-    var _S217 : f32;
+    var _S216 : f32;
     if(height_1 < 0.0f)
     {
-        _S217 = - z_0;
+        _S216 = - z_0;
     }
     else
     {
-        _S217 = z_0;
+        _S216 = z_0;
     }
-    return vec3<f32>(turns_2, _S216, _S217);
+    return vec3<f32>(turns_2, _S215, _S216);
 }
 
 fn Environment_to_world_0( d_2 : vec3<f32>) -> vec3<f32>
 {
     var sin_2 : f32 = params_0.sky_turned_0.x;
     var cos_3 : f32 = params_0.sky_turned_0.y;
-    var _S218 : f32 = d_2.x;
-    var _S219 : f32 = d_2.y;
-    return vec3<f32>(_S218 * cos_3 + _S219 * sin_2, _S219 * cos_3 - _S218 * sin_2, d_2.z);
+    var _S217 : f32 = d_2.x;
+    var _S218 : f32 = d_2.y;
+    return vec3<f32>(_S217 * cos_3 + _S218 * sin_2, _S218 * cos_3 - _S217 * sin_2, d_2.z);
 }
 
 fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S220 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_0) = ChosenDirection_x24init_0(_S220, _S220, 0.0f);
+    var _S219 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_0) = ChosenDirection_x24init_0(_S219, _S219, 0.0f);
     var edge_0 : f32 = f32(params_0.sky_edge_0);
-    var _S221 : f32 = u_6.x * edge_0;
-    var _S222 : f32 = edge_0 - 1.0f;
-    var _S223 : f32 = min(floor(_S221), _S222);
-    var own_1 : u32 = u32(_S223) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S222));
+    var _S220 : f32 = u_6.x * edge_0;
+    var _S221 : f32 = edge_0 - 1.0f;
+    var _S222 : f32 = min(floor(_S220), _S221);
+    var own_1 : u32 = u32(_S222) * params_0.sky_edge_0 + u32(min(floor(u_6.y * edge_0), _S221));
     var index_14 : u32;
     if((u_6.z) < (environment_0[own_1].threshold_0))
     {
@@ -3547,10 +3538,10 @@ fn Environment_choose_0( u_6 : vec4<f32>,  chosen_0 : ptr<function, ChosenDirect
     {
         return false;
     }
-    var _S224 : u32 = index_14 % params_0.sky_edge_0;
-    var _S225 : f32 = f32(_S224);
-    var _S226 : u32 = index_14 / params_0.sky_edge_0;
-    var place_4 : vec2<f32> = vec2<f32>(_S225, f32(_S226)) + vec2<f32>(min(_S221 - _S223, 1.0f), u_6.w);
+    var _S223 : u32 = index_14 % params_0.sky_edge_0;
+    var _S224 : f32 = f32(_S223);
+    var _S225 : u32 = index_14 / params_0.sky_edge_0;
+    var place_4 : vec2<f32> = vec2<f32>(_S224, f32(_S225)) + vec2<f32>(min(_S220 - _S222, 1.0f), u_6.w);
     (*chosen_0) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_4 * vec2<f32>(divide_0(1.0f, edge_0)))), Environment_radiance_at_0(place_4), pdf_6);
     return true;
 }
@@ -3559,17 +3550,17 @@ fn Sky_sample_0( receiver_10 : Receiver_0,  u_7 : vec4<f32>,  sample_3 : ptr<fun
 {
     (*sample_3) = no_light_0();
     var chosen_1 : ChosenDirection_0;
-    var _S227 : bool;
+    var _S226 : bool;
     if(SKY_0 != u32(1))
     {
-        _S227 = true;
+        _S226 = true;
     }
     else
     {
-        var _S228 : bool = Environment_choose_0(u_7, &(chosen_1));
-        _S227 = !_S228;
+        var _S227 : bool = Environment_choose_0(u_7, &(chosen_1));
+        _S226 = !_S227;
     }
-    if(_S227)
+    if(_S226)
     {
         return false;
     }
@@ -3591,15 +3582,15 @@ struct Descent_0
 
 fn Descent_x24init_0( node_4 : u32,  index_16 : u32,  count_3 : u32,  weight_1 : f32,  total_1 : f32,  choice_1 : f32,  is_far_4 : bool) -> Descent_0
 {
-    var _S229 : Descent_0;
-    _S229.node_3 = node_4;
-    _S229.index_15 = index_16;
-    _S229.count_2 = count_3;
-    _S229.weight_0 = weight_1;
-    _S229.total_0 = total_1;
-    _S229.choice_0 = choice_1;
-    _S229.is_far_3 = is_far_4;
-    return _S229;
+    var _S228 : Descent_0;
+    _S228.node_3 = node_4;
+    _S228.index_15 = index_16;
+    _S228.count_2 = count_3;
+    _S228.weight_0 = weight_1;
+    _S228.total_0 = total_1;
+    _S228.choice_0 = choice_1;
+    _S228.is_far_3 = is_far_4;
+    return _S228;
 }
 
 fn TopLights_node_0( index_17 : u32) -> LightNode_0
@@ -3619,34 +3610,34 @@ fn Descent_at_0( this_40 : ptr<function, Descent_0>,  root_2 : u32)
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S230 : f32;
+    var _S229 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S230 = 0.0f;
+        _S229 = 0.0f;
     }
     else
     {
-        _S230 = weight_2;
+        _S229 = weight_2;
     }
-    return _S230;
+    return _S229;
 }
 
 fn weights_of_0( left_0 : f32,  right_0 : f32) -> vec2<f32>
 {
-    var _S231 : f32 = normal_or_zero_0(left_0);
-    var _S232 : f32 = normal_or_zero_0(right_0);
-    var unit_0 : f32 = inverse_power_of_two_0(_S231 + _S232);
-    return vec2<f32>(normal_or_zero_0(_S231 * unit_0), normal_or_zero_0(_S232 * unit_0));
+    var _S230 : f32 = normal_or_zero_0(left_0);
+    var _S231 : f32 = normal_or_zero_0(right_0);
+    var unit_0 : f32 = inverse_power_of_two_0(_S230 + _S231);
+    return vec2<f32>(normal_or_zero_0(_S230 * unit_0), normal_or_zero_0(_S231 * unit_0));
 }
 
 fn weights_of_views_0( left_1 : View_0,  right_1 : View_0) -> vec2<f32>
 {
     var near_5 : vec2<f32> = weights_of_0(left_1.of_nearest_0, right_1.of_nearest_0);
-    var _S233 : f32 = near_5.x;
-    var _S234 : f32 = near_5.y;
-    var of_near_0 : f32 = _S233 + _S234;
+    var _S232 : f32 = near_5.x;
+    var _S233 : f32 = near_5.y;
+    var of_near_0 : f32 = _S232 + _S233;
     var of_all_0 : f32 = (left_1.importance_0 + right_1.importance_0) * 0.5f;
-    return weights_of_0(left_1.importance_0 * of_near_0 + _S233 * of_all_0, right_1.importance_0 * of_near_0 + _S234 * of_all_0);
+    return weights_of_0(left_1.importance_0 * of_near_0 + _S232 * of_all_0, right_1.importance_0 * of_near_0 + _S233 * of_all_0);
 }
 
 fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3655,7 +3646,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S235 : LightNode_0 = node_6;
+        var _S234 : LightNode_0 = node_6;
         if((node_6.parent_0) != u32(4294967295))
         {
         }
@@ -3663,20 +3654,20 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S235.parent_0);
-        var _S236 : u32 = _S235.parent_0 + u32(1);
-        var is_left_0 : bool = at_1 == _S236;
-        var _S237 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S234.parent_0);
+        var _S235 : u32 = _S234.parent_0 + u32(1);
+        var is_left_0 : bool = at_1 == _S235;
+        var _S236 : u32;
         if(is_left_0)
         {
-            _S237 = parent_1.index_11;
+            _S236 = parent_1.index_11;
         }
         else
         {
-            _S237 = _S236;
+            _S236 = _S235;
         }
         var own_2 : View_0 = view_0(node_6, receiver_11);
-        var other_2 : View_0 = view_0(top_light_node_0(_S237), receiver_11);
+        var other_2 : View_0 = view_0(top_light_node_0(_S236), receiver_11);
         var weights_0 : vec2<f32>;
         if(is_left_0)
         {
@@ -3686,26 +3677,26 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
         {
             weights_0 = weights_of_views_0(other_2, own_2);
         }
-        var _S238 : f32 = weights_0.x;
-        var _S239 : f32 = weights_0.y;
-        var total_2 : f32 = _S238 + _S239;
+        var _S237 : f32 = weights_0.x;
+        var _S238 : f32 = weights_0.y;
+        var total_2 : f32 = _S237 + _S238;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S240 : f32;
+        var _S239 : f32;
         if(is_left_0)
         {
-            _S240 = _S238;
+            _S239 = _S237;
         }
         else
         {
-            _S240 = _S239;
+            _S239 = _S238;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S240;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S239;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_6 = parent_1;
-        at_1 = _S235.parent_0;
+        at_1 = _S234.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3719,16 +3710,16 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
 {
     for(;;)
     {
-        var _S241 : bool;
+        var _S240 : bool;
         if(((*descent_1).count_2) == u32(0))
         {
-            _S241 = !(*descent_1).is_far_3;
+            _S240 = !(*descent_1).is_far_3;
         }
         else
         {
-            _S241 = false;
+            _S240 = false;
         }
-        if(_S241)
+        if(_S240)
         {
         }
         else
@@ -3742,29 +3733,29 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         var left_2 : LightNode_0 = TopLights_node_0((*descent_1).node_3 + u32(1));
         var right_2 : LightNode_0 = TopLights_node_0((*descent_1).index_15);
         var weights_1 : vec2<f32> = weights_of_views_0(view_0(left_2, receiver_12), view_0(right_2, receiver_12));
-        var _S242 : f32 = weights_1.x;
-        var _S243 : f32 = weights_1.y;
-        var total_3 : f32 = _S242 + _S243;
+        var _S241 : f32 = weights_1.x;
+        var _S242 : f32 = weights_1.y;
+        var total_3 : f32 = _S241 + _S242;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S244 : bool;
-        if(_S243 <= 0.0f)
+        var _S243 : bool;
+        if(_S242 <= 0.0f)
         {
-            _S244 = true;
+            _S243 = true;
         }
         else
         {
-            _S244 = ((*descent_1).choice_0 * total_3) < (_S242 * (*descent_1).weight_0);
+            _S243 = ((*descent_1).choice_0 * total_3) < (_S241 * (*descent_1).weight_0);
         }
         var is_left_1 : bool;
         if(aim_0.is_met_0)
         {
-            var _S245 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
-            if((all((_S245 >= (vector_of_0(left_2.min_1))))))
+            var _S244 : vec3<f32> = vec3<f32>(aim_0.hit_6.voxel_0);
+            if((all((_S244 >= (vector_of_0(left_2.min_1))))))
             {
-                is_left_1 = (all((_S245 < (vector_of_0(left_2.max_1)))));
+                is_left_1 = (all((_S244 < (vector_of_0(left_2.max_1)))));
             }
             else
             {
@@ -3773,63 +3764,63 @@ fn descend_0( receiver_12 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<functio
         }
         else
         {
-            is_left_1 = _S244;
+            is_left_1 = _S243;
         }
-        var _S246 : f32 = (*descent_1).choice_0 * total_3;
-        var _S247 : f32;
+        var _S245 : f32 = (*descent_1).choice_0 * total_3;
+        var _S246 : f32;
         if(is_left_1)
         {
-            _S247 = 0.0f;
+            _S246 = 0.0f;
         }
         else
         {
-            _S247 = _S242 * (*descent_1).weight_0;
+            _S246 = _S241 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S246 - _S247;
+        (*descent_1).choice_0 = _S245 - _S246;
+        var _S247 : u32;
+        if(is_left_1)
+        {
+            _S247 = (*descent_1).node_3 + u32(1);
+        }
+        else
+        {
+            _S247 = (*descent_1).index_15;
+        }
+        (*descent_1).node_3 = _S247;
         var _S248 : u32;
         if(is_left_1)
         {
-            _S248 = (*descent_1).node_3 + u32(1);
+            _S248 = left_2.index_11;
         }
         else
         {
-            _S248 = (*descent_1).index_15;
+            _S248 = right_2.index_11;
         }
-        (*descent_1).node_3 = _S248;
+        (*descent_1).index_15 = _S248;
         var _S249 : u32;
         if(is_left_1)
         {
-            _S249 = left_2.index_11;
+            _S249 = left_2.count_1;
         }
         else
         {
-            _S249 = right_2.index_11;
+            _S249 = right_2.count_1;
         }
-        (*descent_1).index_15 = _S249;
-        var _S250 : u32;
-        if(is_left_1)
-        {
-            _S250 = left_2.count_1;
-        }
-        else
-        {
-            _S250 = right_2.count_1;
-        }
-        (*descent_1).count_2 = _S250;
+        (*descent_1).count_2 = _S249;
         (*descent_1).is_far_3 = false;
-        var _S251 : f32;
+        var _S250 : f32;
         if(is_left_1)
         {
-            _S251 = _S242;
+            _S250 = _S241;
         }
         else
         {
-            _S251 = _S243;
+            _S250 = _S242;
         }
-        var _S252 : f32 = (*descent_1).weight_0 * _S251;
-        (*descent_1).weight_0 = _S252;
+        var _S251 : f32 = (*descent_1).weight_0 * _S250;
+        (*descent_1).weight_0 = _S251;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S252 <= 0.0f)
+        if(_S251 <= 0.0f)
         {
             return false;
         }
@@ -3848,8 +3839,8 @@ fn in_grid_0( instance_13 : u32,  receiver_13 : Receiver_0) -> Receiver_0
     {
         return receiver_13;
     }
-    var _S253 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
-    return Receiver_x24init_0(Transform_point_0(_S253.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S253.grid_from_world_0, receiver_13.normal_2)));
+    var _S252 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_13);
+    return Receiver_x24init_0(Transform_point_0(_S252.grid_from_world_0, receiver_13.point_0), normalize_vector_0(Transform_direction_0(_S252.grid_from_world_0, receiver_13.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3871,8 +3862,8 @@ fn light_node_at_0( index_18 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S254 : u32 = u32(4) * index_18;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S254), Rows_operatorx5Bx5D_get_4(_S254 + u32(1)), Rows_operatorx5Bx5D_get_4(_S254 + u32(2)), Rows_operatorx5Bx5D_get_4(_S254 + u32(3)));
+        var _S253 : u32 = u32(4) * index_18;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_4(_S253), Rows_operatorx5Bx5D_get_4(_S253 + u32(1)), Rows_operatorx5Bx5D_get_4(_S253 + u32(2)), Rows_operatorx5Bx5D_get_4(_S253 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_18, u32(0));
     var node_8 : LightNode_0;
@@ -3929,16 +3920,16 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 {
     for(;;)
     {
-        var _S255 : bool;
+        var _S254 : bool;
         if(((*descent_2).count_2) == u32(0))
         {
-            _S255 = !(*descent_2).is_far_3;
+            _S254 = !(*descent_2).is_far_3;
         }
         else
         {
-            _S255 = false;
+            _S254 = false;
         }
-        if(_S255)
+        if(_S254)
         {
         }
         else
@@ -3954,29 +3945,29 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         var of_left_0 : View_0 = view_0(left_3, receiver_14);
         var of_right_0 : View_0 = view_0(right_3, receiver_14);
         var weights_2 : vec2<f32> = weights_of_views_0(of_left_0, of_right_0);
-        var _S256 : f32 = weights_2.x;
-        var _S257 : f32 = weights_2.y;
-        var total_4 : f32 = _S256 + _S257;
+        var _S255 : f32 = weights_2.x;
+        var _S256 : f32 = weights_2.y;
+        var total_4 : f32 = _S255 + _S256;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S258 : bool;
-        if(_S257 <= 0.0f)
+        var _S257 : bool;
+        if(_S256 <= 0.0f)
         {
-            _S258 = true;
+            _S257 = true;
         }
         else
         {
-            _S258 = ((*descent_2).choice_0 * total_4) < (_S256 * (*descent_2).weight_0);
+            _S257 = ((*descent_2).choice_0 * total_4) < (_S255 * (*descent_2).weight_0);
         }
         var is_left_2 : bool;
         if(aim_1.is_met_0)
         {
-            var _S259 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
-            if((all((_S259 >= (vector_of_0(left_3.min_1))))))
+            var _S258 : vec3<f32> = vec3<f32>(aim_1.hit_6.voxel_0);
+            if((all((_S258 >= (vector_of_0(left_3.min_1))))))
             {
-                is_left_2 = (all((_S259 < (vector_of_0(left_3.max_1)))));
+                is_left_2 = (all((_S258 < (vector_of_0(left_3.max_1)))));
             }
             else
             {
@@ -3985,72 +3976,72 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
         }
         else
         {
-            is_left_2 = _S258;
+            is_left_2 = _S257;
         }
-        var _S260 : f32 = (*descent_2).choice_0 * total_4;
-        var _S261 : f32;
+        var _S259 : f32 = (*descent_2).choice_0 * total_4;
+        var _S260 : f32;
         if(is_left_2)
         {
-            _S261 = 0.0f;
+            _S260 = 0.0f;
         }
         else
         {
-            _S261 = _S256 * (*descent_2).weight_0;
+            _S260 = _S255 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S260 - _S261;
+        (*descent_2).choice_0 = _S259 - _S260;
+        var _S261 : u32;
+        if(is_left_2)
+        {
+            _S261 = (*descent_2).node_3 + u32(1);
+        }
+        else
+        {
+            _S261 = (*descent_2).index_15;
+        }
+        (*descent_2).node_3 = _S261;
         var _S262 : u32;
         if(is_left_2)
         {
-            _S262 = (*descent_2).node_3 + u32(1);
+            _S262 = left_3.index_11;
         }
         else
         {
-            _S262 = (*descent_2).index_15;
+            _S262 = right_3.index_11;
         }
-        (*descent_2).node_3 = _S262;
+        (*descent_2).index_15 = _S262;
         var _S263 : u32;
         if(is_left_2)
         {
-            _S263 = left_3.index_11;
+            _S263 = left_3.count_1;
         }
         else
         {
-            _S263 = right_3.index_11;
+            _S263 = right_3.count_1;
         }
-        (*descent_2).index_15 = _S263;
-        var _S264 : u32;
+        (*descent_2).count_2 = _S263;
+        var _S264 : bool;
         if(is_left_2)
         {
-            _S264 = left_3.count_1;
+            _S264 = of_left_0.is_far_0;
         }
         else
         {
-            _S264 = right_3.count_1;
+            _S264 = of_right_0.is_far_0;
         }
-        (*descent_2).count_2 = _S264;
-        var _S265 : bool;
+        (*descent_2).is_far_3 = _S264;
+        var _S265 : f32;
         if(is_left_2)
         {
-            _S265 = of_left_0.is_far_0;
+            _S265 = _S255;
         }
         else
         {
-            _S265 = of_right_0.is_far_0;
+            _S265 = _S256;
         }
-        (*descent_2).is_far_3 = _S265;
-        var _S266 : f32;
-        if(is_left_2)
-        {
-            _S266 = _S256;
-        }
-        else
-        {
-            _S266 = _S257;
-        }
-        var _S267 : f32 = (*descent_2).weight_0 * _S266;
-        (*descent_2).weight_0 = _S267;
+        var _S266 : f32 = (*descent_2).weight_0 * _S265;
+        (*descent_2).weight_0 = _S266;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S267 <= 0.0f)
+        if(_S266 <= 0.0f)
         {
             return false;
         }
@@ -4060,28 +4051,24 @@ fn descend_1( receiver_14 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<functio
 
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  side_0 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_10 : LightNode_0 = light_node_at_0(way_4.node_3);
-    var _S268 : vec3<f32> = vector_of_0(node_10.max_1);
-    var _S269 : vec3<f32> = vector_of_0(node_10.min_1);
-    var _S270 : vec3<f32> = vec3<f32>(0.5f);
-    var sent_1 : BySide_0 = sent_by_side_0(node_10, point_3, length_bound_0(reach_of_0((_S269 + _S268) * _S270 - point_3, (_S268 - _S269) * _S270)));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
+    var sent_0 : BySide_0 = sent_by_side_0(light_node_at_0(way_4.node_3), point_3);
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_0));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S271 : f32 = way_4.choice_0 * total_5;
-    var _S272 : u32 = (*side_0);
-    var share_1 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_1);
-    var _S273 : bool;
+    var _S267 : f32 = way_4.choice_0 * total_5;
+    var _S268 : u32 = (*side_0);
+    var share_1 : f32 = normal_or_zero_0(sent_0.low_10[u32(0)] * unit_1);
+    var _S269 : bool;
     if(is_met_2)
     {
-        _S273 = u32(0) == _S272;
+        _S269 = u32(0) == _S268;
     }
     else
     {
-        _S273 = share_1 > 0.0f;
+        _S269 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S273)
+    if(_S269)
     {
         (*side_0) = u32(0);
         chosen_2 = share_1;
@@ -4090,145 +4077,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S274 : bool = _S271 < (share_1 * way_4.weight_0);
-    var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
+    var _S270 : bool = _S267 < (share_1 * way_4.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_0.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S273 = u32(1) == _S272;
+        _S269 = u32(1) == _S268;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S273 = !_S274;
+            _S269 = !_S270;
         }
         else
         {
-            _S273 = false;
+            _S269 = false;
         }
     }
-    if(_S273)
+    if(_S269)
     {
         (*side_0) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S274)
+    if(_S270)
     {
-        _S273 = true;
+        _S269 = true;
     }
     else
     {
-        _S273 = _S271 < (passed_0 * way_4.weight_0);
+        _S269 = _S267 < (passed_0 * way_4.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_1);
-    var _S275 : bool;
+    var share_3 : f32 = normal_or_zero_0(sent_0.low_10[u32(1)] * unit_1);
+    var _S271 : bool;
     if(is_met_2)
     {
-        _S275 = u32(2) == _S272;
+        _S271 = u32(2) == _S268;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S275 = !_S273;
+            _S271 = !_S269;
         }
         else
         {
-            _S275 = false;
+            _S271 = false;
         }
     }
-    if(_S275)
+    if(_S271)
     {
         (*side_0) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S273)
+    if(_S269)
     {
-        _S273 = true;
+        _S269 = true;
     }
     else
     {
-        _S273 = _S271 < (passed_1 * way_4.weight_0);
+        _S269 = _S267 < (passed_1 * way_4.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_0.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S275 = u32(3) == _S272;
+        _S271 = u32(3) == _S268;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S275 = !_S273;
+            _S271 = !_S269;
         }
         else
         {
-            _S275 = false;
+            _S271 = false;
         }
     }
-    if(_S275)
+    if(_S271)
     {
         (*side_0) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S273)
+    if(_S269)
     {
-        _S273 = true;
+        _S269 = true;
     }
     else
     {
-        _S273 = _S271 < (passed_2 * way_4.weight_0);
+        _S269 = _S267 < (passed_2 * way_4.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_1);
+    var share_5 : f32 = normal_or_zero_0(sent_0.low_10[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S275 = u32(4) == _S272;
+        _S271 = u32(4) == _S268;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S275 = !_S273;
+            _S271 = !_S269;
         }
         else
         {
-            _S275 = false;
+            _S271 = false;
         }
     }
-    if(_S275)
+    if(_S271)
     {
         (*side_0) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S273)
+    if(_S269)
     {
-        _S273 = true;
+        _S269 = true;
     }
     else
     {
-        _S273 = _S271 < (passed_3 * way_4.weight_0);
+        _S269 = _S267 < (passed_3 * way_4.weight_0);
     }
-    var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_0.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S273 = u32(5) == _S272;
+        _S269 = u32(5) == _S268;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S273 = !_S273;
+            _S269 = !_S269;
         }
         else
         {
-            _S273 = false;
+            _S269 = false;
         }
     }
-    if(_S273)
+    if(_S269)
     {
         (*side_0) = u32(5);
         chosen_2 = share_6;
@@ -4236,13 +4223,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_4 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_4.weight_0 * chosen_2, way_4.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S273 = ((*odds_0).x) > 0.0f;
+        _S269 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S273 = false;
+        _S269 = false;
     }
-    return _S273;
+    return _S269;
 }
 
 fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
@@ -4252,16 +4239,16 @@ fn light_node_word_0( index_20 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_21 : u32,  side_1 : u32) -> f32
 {
-    var _S276 : u32;
+    var _S272 : u32;
     if(lights_in_pages_0())
     {
-        _S276 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
+        _S272 = cells_1[place_in_light_node_0(index_21, u32(8) + side_1)];
     }
     else
     {
-        _S276 = light_node_word_0(index_21, u32(8) + side_1);
+        _S272 = light_node_word_0(index_21, u32(8) + side_1);
     }
-    return (bitcast<f32>((_S276)));
+    return (bitcast<f32>((_S272)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_6 : u32) -> f32
@@ -4332,57 +4319,57 @@ fn emitter_word_0( index_23 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_24 : u32) -> u32
 {
-    var _S277 : u32;
+    var _S273 : u32;
     if(lights_in_pages_0())
     {
-        _S277 = cells_1[place_in_emitter_0(index_24, u32(4))];
+        _S273 = cells_1[place_in_emitter_0(index_24, u32(4))];
     }
     else
     {
-        _S277 = emitter_word_0(index_24, u32(4));
+        _S273 = emitter_word_0(index_24, u32(4));
     }
-    return _S277;
+    return _S273;
 }
 
 fn emitter_luminance_at_0( index_25 : u32) -> f32
 {
-    var _S278 : f32;
+    var _S274 : f32;
     if(lights_in_pages_0())
     {
-        _S278 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
+        _S274 = (bitcast<f32>((cells_1[place_in_emitter_0(index_25, u32(6))])));
     }
     else
     {
-        _S278 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
+        _S274 = (bitcast<f32>((emitter_word_0(index_25, u32(6)))));
     }
-    return _S278;
+    return _S274;
 }
 
 fn Emitter_x24init_0( voxel_25 : array<i32, i32(3)>,  grid_11 : u32,  faces_1 : u32,  material_7 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S279 : Emitter_0;
-    _S279.voxel_24 = voxel_25;
-    _S279.grid_10 = grid_11;
-    _S279.faces_0 = faces_1;
-    _S279.material_6 = material_7;
-    _S279.luminance_4 = luminance_5;
-    _S279.leaf_0 = leaf_1;
-    return _S279;
+    var _S275 : Emitter_0;
+    _S275.voxel_24 = voxel_25;
+    _S275.grid_10 = grid_11;
+    _S275.faces_0 = faces_1;
+    _S275.material_6 = material_7;
+    _S275.luminance_4 = luminance_5;
+    _S275.leaf_0 = leaf_1;
+    return _S275;
 }
 
 fn emitter_at_0( index_26 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S280 : u32 = u32(2) * index_26;
-        var _S281 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S280);
-        var _S282 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S280 + u32(1));
-        var _S283 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S281.x), i32(_S281.y), i32(_S281.z) );
-        return Emitter_x24init_0(_S283, _S281.w, _S282.x, _S282.y, (bitcast<f32>((_S282.z))), _S282.w);
+        var _S276 : u32 = u32(2) * index_26;
+        var _S277 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S276);
+        var _S278 : vec4<u32> = Rows_operatorx5Bx5D_get_5(_S276 + u32(1));
+        var _S279 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S277.x), i32(_S277.y), i32(_S277.z) );
+        return Emitter_x24init_0(_S279, _S277.w, _S278.x, _S278.y, (bitcast<f32>((_S278.z))), _S278.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_26, u32(0));
-    var _S284 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S284, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
+    var _S280 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_1[at_4]), i32(cells_1[at_4 + u32(1)]), i32(cells_1[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S280, cells_1[at_4 + u32(3)], cells_1[at_4 + u32(4)], cells_1[at_4 + u32(5)], (bitcast<f32>((cells_1[at_4 + u32(6)]))), cells_1[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Emitter_0
@@ -4390,9 +4377,9 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
     var is_found_8 : bool;
     var is_left_3 : bool;
     var count_4 : u32 = way_5.count_2;
-    var node_11 : u32 = way_5.node_3;
+    var node_10 : u32 = way_5.node_3;
     var index_27 : u32 = way_5.index_15;
-    var _S285 : f32 = threshold_1;
+    var _S281 : f32 = threshold_1;
     for(;;)
     {
         if(count_4 == u32(0))
@@ -4410,9 +4397,9 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var left_4 : u32 = node_11 + u32(1);
+        var left_4 : u32 = node_10 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_4, side_2);
-        if(_S285 < power_left_0)
+        if(_S281 < power_left_0)
         {
             is_left_3 = true;
         }
@@ -4425,20 +4412,20 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S285 = _S285 - power_left_0;
+            _S281 = _S281 - power_left_0;
         }
         if(is_left_3)
         {
-            node_11 = left_4;
+            node_10 = left_4;
         }
         else
         {
-            node_11 = index_27;
+            node_10 = index_27;
         }
-        var below_0 : vec2<u32> = below_light_node_0(node_11);
-        var _S286 : u32 = below_0.x;
+        var below_0 : vec2<u32> = below_light_node_0(node_10);
+        var _S282 : u32 = below_0.x;
         count_4 = below_0.y;
-        index_27 = _S286;
+        index_27 = _S282;
     }
     is_found_8 = false;
     var chosen_3 : u32 = index_27;
@@ -4462,10 +4449,10 @@ fn choose_emitter_0( way_5 : Descent_0,  side_2 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_2))) & (u32(1)))) != u32(0))
         {
-            var _S287 : f32 = _S285 - emitter_luminance_at_0(at_5);
-            is_found_8 = _S285 < (emitter_luminance_at_0(at_5));
+            var _S283 : f32 = _S281 - emitter_luminance_at_0(at_5);
+            is_found_8 = _S281 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S285 = _S287;
+            _S281 = _S283;
         }
         at_5 = at_5 + u32(1);
     }
@@ -4502,19 +4489,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_13 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_14);
-    var _S288 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S288), low_14 + vec3<f32>((1.0f - margin_0)));
-    var _S289 : bool = face_5 < u32(2);
-    var _S290 : bool;
+    var _S284 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_14 + _S284), low_14 + vec3<f32>((1.0f - margin_0)));
+    var _S285 : bool = face_5 < u32(2);
+    var _S286 : bool;
     if(face_5 >= u32(2))
     {
-        _S290 = face_5 < u32(4);
+        _S286 = face_5 < u32(4);
     }
     else
     {
-        _S290 = false;
+        _S286 = false;
     }
-    var is_axis_3 : vec3<bool> = vec3<bool>(_S289, _S290, face_5 >= u32(4));
+    var is_axis_3 : vec3<bool> = vec3<bool>(_S285, _S286, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4522,7 +4509,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_14 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_14 - _S288;
+        outside_0 = low_14 - _S284;
     }
     return select(moved_0, outside_0, is_axis_3);
 }
@@ -4536,45 +4523,45 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_9.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S291 : bool;
+    var _S287 : bool;
     if(!IS_SINGLE_0)
     {
-        _S291 = aim_2.is_met_0;
+        _S287 = aim_2.is_met_0;
     }
     else
     {
-        _S291 = false;
+        _S287 = false;
     }
-    if(_S291)
+    if(_S287)
     {
-        var _S292 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
-        if((_S292.light_leaf_0) == u32(4294967295))
+        var _S288 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_6.instance_0);
+        if((_S288.light_leaf_0) == u32(4294967295))
         {
-            _S291 = true;
+            _S287 = true;
         }
         else
         {
-            var _S293 : bool = climb_0(receiver_15, _S292.light_leaf_0, &(descent_3));
-            _S291 = !_S293;
+            var _S289 : bool = climb_0(receiver_15, _S288.light_leaf_0, &(descent_3));
+            _S287 = !_S289;
         }
-        if(_S291)
+        if(_S287)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S292.light_leaf_0);
+        Descent_at_0(&(descent_3), _S288.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S294 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
-            _S291 = !_S294;
+            var _S290 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
+            _S287 = !_S290;
         }
         else
         {
-            _S291 = false;
+            _S287 = false;
         }
-        if(_S291)
+        if(_S287)
         {
             return false;
         }
@@ -4582,35 +4569,35 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     var chosen_instance_0 : u32 = descent_3.index_15;
     var local_3 : Receiver_0 = in_grid_0(descent_3.index_15, receiver_15);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_3).root_1);
-    var _S295 : bool = descend_1(local_3, aim_2, &(descent_3));
-    if(!_S295)
+    var _S291 : bool = descend_1(local_3, aim_2, &(descent_3));
+    if(!_S291)
     {
         return false;
     }
     var side_3 : u32 = aim_2.hit_6.face_0;
     var odds_2 : vec2<f32>;
-    var _S296 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
-    if(!_S296)
+    var _S292 : bool = choose_side_0(local_3.point_0, aim_2.is_met_0, descent_3, &(side_3), &(odds_2));
+    if(!_S292)
     {
         return false;
     }
     var power_5 : f32 = light_power_at_0(descent_3.node_3, side_3);
-    var _S297 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S293 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S298 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S297.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
-        (*sample_4).pdf_2 = _S298;
-        return _S298 > 0.0f;
+        var _S294 : f32 = density_0(odds_2, aim_2.luminance_1, power_5, Transform_direction_0(_S293.grid_from_world_0, aim_2.direction_21) * vec3<f32>(aim_2.hit_6.t_0), side_3);
+        (*sample_4).pdf_2 = _S294;
+        return _S294 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_3, u_9.y * power_5);
-    var _S299 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S299, side_3, u_9.z, u_9.w);
+    var _S295 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_24));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S295, side_3, u_9.z, u_9.w);
     var pdf_7 : f32 = density_0(odds_2, emitter_1.luminance_4, power_5, on_face_0 - local_3.point_0, side_3);
     if(pdf_7 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S297.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S297.grid_from_world_0.translation_0), _S299, side_3, on_face_0)) - receiver_15.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S293.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S293.grid_from_world_0.translation_0), _S295, side_3, on_face_0)) - receiver_15.point_0;
     var cos_theta_5 : f32 = with_slack_0(receiver_15, divide_0(dot_product_0(receiver_15.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_4) = LightSample_x24init_0(Ray_x24init_0(receiver_15.point_0, 0.0f, direction_27, 1.0f), cos_theta_5, emitted_0(material_of_index_0(emitter_1.material_6)), pdf_7);
     return cos_theta_5 > 0.0f;
@@ -4618,8 +4605,8 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
 
 fn EmitterTree_sample_0( receiver_16 : Receiver_0,  u_10 : vec4<f32>,  aim_3 : Aim_0,  sample_5 : ptr<function, LightSample_0>) -> bool
 {
-    var _S300 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
-    return _S300;
+    var _S296 : bool = sample_emitter_0(receiver_16, u_10, aim_3, &((*sample_5)));
+    return _S296;
 }
 
 fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 : vec4<f32>,  aim_4 : Aim_0,  sample_6 : ptr<function, LightSample_0>) -> bool
@@ -4643,9 +4630,9 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
     }
     if(is_found_9)
     {
-        var _S301 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
+        var _S297 : bool = SunDisc_sample_0(receiver_17, u_11, &((*sample_6)));
         (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sun_0;
-        is_found_9 = _S301;
+        is_found_9 = _S297;
     }
     else
     {
@@ -4667,15 +4654,15 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
         }
         if(is_found_9)
         {
-            var _S302 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
+            var _S298 : bool = Sky_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - selection_3.sun_0, selection_3.sky_1), 0.99999994039535522f), u_11.yzw), &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.sky_1;
-            is_found_9 = _S302;
+            is_found_9 = _S298;
         }
         else
         {
-            var _S303 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
+            var _S299 : bool = EmitterTree_sample_0(receiver_17, vec4<f32>(min(divide_0(u_11.x - (selection_3.sun_0 + selection_3.sky_1), selection_3.emitters_0), 0.99999994039535522f), u_11.yzw), aim_4, &((*sample_6)));
             (*sample_6).pdf_2 = (*sample_6).pdf_2 * selection_3.emitters_0;
-            is_found_9 = _S303;
+            is_found_9 = _S299;
         }
     }
     return is_found_9;
@@ -4683,34 +4670,34 @@ fn Lights_sample_0( receiver_17 : Receiver_0,  selection_3 : Selection_0,  u_11 
 
 fn ior_of_0( inside_3 : Inside_0) -> f32
 {
-    var _S304 : f32;
+    var _S300 : f32;
     if(Inside_is_in_0(inside_3))
     {
-        _S304 = material_of_index_0(inside_3.material_0).ior_0;
+        _S300 = material_of_index_0(inside_3.material_0).ior_0;
     }
     else
     {
-        _S304 = 1.0f;
+        _S300 = 1.0f;
     }
-    return _S304;
+    return _S300;
 }
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S305 : Microfacets_0;
-    _S305.alpha_0 = alpha_1;
-    return _S305;
+    var _S301 : Microfacets_0;
+    _S301.alpha_0 = alpha_1;
+    return _S301;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S306 : MaterialBsdf_0;
-    _S306.kind_0 = kind_1;
-    _S306.color_0 = color_2;
-    _S306.specular_1 = specular_2;
-    _S306.eta_0 = eta_1;
-    _S306.facets_0 = facets_1;
-    return _S306;
+    var _S302 : MaterialBsdf_0;
+    _S302.kind_0 = kind_1;
+    _S302.color_0 = color_2;
+    _S302.specular_1 = specular_2;
+    _S302.eta_0 = eta_1;
+    _S302.facets_0 = facets_1;
+    return _S302;
 }
 
 fn bsdf_of_0( material_8 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4729,17 +4716,17 @@ fn roulette_0( event_1 : u32,  scattered_1 : vec3<f32>,  u_12 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S307 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
-    var _S308 : f32;
-    if(u_12 < _S307)
+    var _S303 : f32 = min(max_element_0(scattered_1), 0.94999998807907104f);
+    var _S304 : f32;
+    if(u_12 < _S303)
     {
-        _S308 = divide_0(1.0f, _S307);
+        _S304 = divide_0(1.0f, _S303);
     }
     else
     {
-        _S308 = 0.0f;
+        _S304 = 0.0f;
     }
-    return _S308;
+    return _S304;
 }
 
 fn face_normal_0( face_6 : u32) -> vec3<f32>
@@ -4753,32 +4740,32 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S309 : f32;
+    var _S305 : f32;
     if(face_6 < u32(2))
     {
-        _S309 = away_1;
+        _S305 = away_1;
     }
     else
     {
-        _S309 = 0.0f;
+        _S305 = 0.0f;
     }
-    var _S310 : bool;
+    var _S306 : bool;
     if(face_6 >= u32(2))
     {
-        _S310 = face_6 < u32(4);
+        _S306 = face_6 < u32(4);
     }
     else
     {
-        _S310 = false;
+        _S306 = false;
     }
-    var _S311 : f32;
-    if(_S310)
+    var _S307 : f32;
+    if(_S306)
     {
-        _S311 = away_1;
+        _S307 = away_1;
     }
     else
     {
-        _S311 = 0.0f;
+        _S307 = 0.0f;
     }
     if(face_6 >= u32(4))
     {
@@ -4787,7 +4774,7 @@ fn face_normal_0( face_6 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S309, _S311, away_1);
+    return vec3<f32>(_S305, _S307, away_1);
 }
 
 fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
@@ -4798,17 +4785,17 @@ fn world_normal_0( instance_14 : PackedInstance_0,  face_7 : u32) -> vec3<f32>
 fn surface_of_0( ray_15 : Ray_0,  hit_8 : Hit_0) -> Surface_0
 {
     var surface_1 : Surface_0;
-    var _S312 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
+    var _S308 : vec3<f32> = vec3<f32>(hit_8.voxel_0);
     if(IS_SINGLE_0)
     {
-        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S312, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
+        surface_1.origin_11 = offset_ray_origin_0(vec3<f32>(0.0f), _S308, hit_8.face_0, ray_15.origin_0 + ray_15.direction_0 * vec3<f32>(hit_8.t_0));
         surface_1.normal_3 = face_normal_0(hit_8.face_0);
     }
     else
     {
-        var _S313 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
-        surface_1.origin_11 = Transform_point_0(_S313.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S313.grid_from_world_0.translation_0), _S312, hit_8.face_0, Transform_point_0(_S313.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S313.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
-        surface_1.normal_3 = world_normal_0(_S313, hit_8.face_0);
+        var _S309 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_8.instance_0);
+        surface_1.origin_11 = Transform_point_0(_S309.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S309.grid_from_world_0.translation_0), _S308, hit_8.face_0, Transform_point_0(_S309.grid_from_world_0, ray_15.origin_0) + Transform_direction_0(_S309.grid_from_world_0, ray_15.direction_0) * vec3<f32>(hit_8.t_0)));
+        surface_1.normal_3 = world_normal_0(_S309, hit_8.face_0);
     }
     surface_1.face_2 = hit_8.face_0;
     surface_1.instance_11 = hit_8.instance_0;
@@ -4862,8 +4849,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_15 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_44 : Inside_0,  ray_16 : Ray_0,  t_13 : f32) -> vec3<f32>
 {
-    var _S314 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
-    return Transform_point_0(_S314.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S314.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S314.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S314.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
+    var _S310 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_44.instance_6);
+    return Transform_point_0(_S310.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S310.grid_from_world_0.translation_0), vec3<f32>(this_44.voxel_22), Transform_point_0(_S310.grid_from_world_0, ray_16.origin_0) + Transform_direction_0(_S310.grid_from_world_0, ray_16.direction_0) * vec3<f32>(t_13)));
 }
 
 fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
@@ -4873,16 +4860,16 @@ fn MaterialBsdf_is_delta_0( this_45 : MaterialBsdf_0) -> bool
 
 fn Scatter_x24init_0( path_6 : Path_0,  receiver_18 : Receiver_0,  surface_2 : Surface_0,  bsdf_1 : MaterialBsdf_0,  wo_1 : vec3<f32>,  compensation_1 : f32,  is_scattered_1 : bool,  wants_light_1 : bool) -> Scatter_0
 {
-    var _S315 : Scatter_0;
-    _S315.path_3 = path_6;
-    _S315.receiver_0 = receiver_18;
-    _S315.surface_0 = surface_2;
-    _S315.bsdf_0 = bsdf_1;
-    _S315.wo_0 = wo_1;
-    _S315.compensation_0 = compensation_1;
-    _S315.is_scattered_0 = is_scattered_1;
-    _S315.wants_light_0 = wants_light_1;
-    return _S315;
+    var _S311 : Scatter_0;
+    _S311.path_3 = path_6;
+    _S311.receiver_0 = receiver_18;
+    _S311.surface_0 = surface_2;
+    _S311.bsdf_0 = bsdf_1;
+    _S311.wo_0 = wo_1;
+    _S311.compensation_0 = compensation_1;
+    _S311.is_scattered_0 = is_scattered_1;
+    _S311.wants_light_0 = wants_light_1;
+    return _S311;
 }
 
 struct BsdfSample_0
@@ -4900,9 +4887,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S316 : Diffuse_0;
-    _S316.reflectance_0 = reflectance_1;
-    return _S316;
+    var _S312 : Diffuse_0;
+    _S312.reflectance_0 = reflectance_1;
+    return _S312;
 }
 
 fn cosine_hemisphere_0( u_13 : f32,  v_7 : f32) -> vec3<f32>
@@ -4919,12 +4906,12 @@ fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 
 fn BsdfSample_x24init_0( wi_1 : vec3<f32>,  weight_4 : vec3<f32>,  pdf_9 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S317 : BsdfSample_0;
-    _S317.wi_0 = wi_1;
-    _S317.weight_3 = weight_4;
-    _S317.pdf_8 = pdf_9;
-    _S317.is_delta_0 = is_delta_1;
-    return _S317;
+    var _S313 : BsdfSample_0;
+    _S313.wi_0 = wi_1;
+    _S313.weight_3 = weight_4;
+    _S313.pdf_8 = pdf_9;
+    _S313.is_delta_0 = is_delta_1;
+    return _S313;
 }
 
 fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>,  sample_7 : ptr<function, BsdfSample_0>) -> bool
@@ -4936,8 +4923,8 @@ fn Diffuse_sample_0( this_46 : Diffuse_0,  wo_2 : vec3<f32>,  u_14 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_47 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_15 : vec3<f32>,  sample_8 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S318 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
-    return _S318;
+    var _S314 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_47.color_0), wo_3, u_15, &((*sample_8)));
+    return _S314;
 }
 
 fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3<f32>
@@ -4951,23 +4938,23 @@ fn Surface_world_direction_0( this_48 : Surface_0,  local_5 : vec3<f32>) -> vec3
     {
         away_2 = - local_5.z;
     }
-    var _S319 : f32 = local_5.x;
-    var _S320 : f32 = local_5.y;
-    var _S321 : vec3<f32> = vec3<f32>(_S319, _S320, away_2);
+    var _S315 : f32 = local_5.x;
+    var _S316 : f32 = local_5.y;
+    var _S317 : vec3<f32> = vec3<f32>(_S315, _S316, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_48.face_2) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S319, _S320);
+        in_grid_3 = vec3<f32>(away_2, _S315, _S316);
     }
     else
     {
         if((this_48.face_2) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S320, away_2, _S319);
+            in_grid_3 = vec3<f32>(_S316, away_2, _S315);
         }
         else
         {
-            in_grid_3 = _S321;
+            in_grid_3 = _S317;
         }
     }
     if(!IS_SINGLE_0)
@@ -5069,7 +5056,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     }
     var u_16 : vec4<f32> = Sampler_stratified_0((*path_7).sampler_0, Path_dimension_scatter_0((*path_7)));
     var material_9 : PackedMaterial_0 = material_met_0((*path_7), hit_9, beyond_3);
-    var _S322 : vec3<f32> = vec3<f32>(0.0f);
+    var _S318 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5077,12 +5064,12 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S322;
+        le_1 = _S318;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_17.direction_0, hit_9, luminance_0(vector_of_0(material_9.emission_0)));
-    var _S323 : bool = weighs_apart_0();
-    if(_S323)
+    var _S319 : bool = weighs_apart_0();
+    if(_S319)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5110,7 +5097,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_5 : LightSample_0 = no_light_0();
-        if(!_S323)
+        if(!_S319)
         {
             is_chosen_0 = ((*path_7).pdf_1) > 0.0f;
         }
@@ -5120,15 +5107,15 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S324 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
-            is_chosen_0 = _S324;
+            var _S320 : bool = Lights_sample_0(last_5, Path_selection_at_0((*path_7), last_5), vec4<f32>(0.0f), met_0, &(light_5));
+            is_chosen_0 = _S320;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S325 : vec3<f32> = (*path_7).beta_0 * le_1;
-        var _S326 : f32 = (*path_7).pdf_1;
+        var _S321 : vec3<f32> = (*path_7).beta_0 * le_1;
+        var _S322 : f32 = (*path_7).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_5.pdf_2;
@@ -5137,13 +5124,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_5) = (*radiance_5) + _S325 * vec3<f32>(mis_weight_0(_S326, light_pdf_1));
+        (*radiance_5) = (*radiance_5) + _S321 * vec3<f32>(mis_weight_0(_S322, light_pdf_1));
     }
-    var _S327 : f32 = ior_of_0((*path_7).inside_0);
-    var _S328 : f32 = u_16[i32(3)];
-    var _S329 : MaterialBsdf_0 = bsdf_of_0(material_9, _S327, &(_S328));
-    u_16[i32(3)] = _S328;
-    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S329);
+    var _S323 : f32 = ior_of_0((*path_7).inside_0);
+    var _S324 : f32 = u_16[i32(3)];
+    var _S325 : MaterialBsdf_0 = bsdf_of_0(material_9, _S323, &(_S324));
+    u_16[i32(3)] = _S324;
+    var scattered_2 : vec3<f32> = (*path_7).beta_0 * MaterialBsdf_albedo_0(_S325);
     if(((*path_7).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_0 = true;
@@ -5152,8 +5139,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     {
         is_chosen_0 = ends_here_0;
     }
-    var _S330 : bool = !is_weighed_0;
-    if(_S330)
+    var _S326 : bool = !is_weighed_0;
+    if(_S326)
     {
         if(is_chosen_0)
         {
@@ -5173,7 +5160,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         return next_0;
     }
     var compensation_2 : f32 = roulette_0(Path_events_0((*path_7)), scattered_2, u_16.z);
-    if(_S330)
+    if(_S326)
     {
         is_chosen_0 = compensation_2 == 0.0f;
     }
@@ -5195,19 +5182,19 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         at_6 = hit_9;
     }
     var surface_3 : Surface_0 = surface_of_0(ray_17, at_6);
-    var _S331 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
-    var _S332 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S332);
+    var _S327 : Receiver_0 = Receiver_x24init_0(surface_3.origin_11, surface_3.normal_3);
+    var _S328 : vec3<f32> = (vec3<f32>(0) - ray_17.direction_0);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_3, _S328);
     var inside_4 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_19 : Receiver_0;
     if(is_scattered_2)
     {
-        var _S333 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
-        inside_4 = _S333;
-        var _S334 : vec3<f32> = normalize_vector_0(_S332);
-        receiver_19 = Receiver_x24init_0(Inside_point_0(_S333, ray_17, t_14), _S322);
-        wo_5 = _S334;
+        var _S329 : Inside_0 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
+        inside_4 = _S329;
+        var _S330 : vec3<f32> = normalize_vector_0(_S328);
+        receiver_19 = Receiver_x24init_0(Inside_point_0(_S329, ray_17, t_14), _S318);
+        wo_5 = _S330;
     }
     else
     {
@@ -5217,7 +5204,7 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
             inside_4 = Inside_x24init_0((*path_7).inside_0.instance_6, hit_9.voxel_0, (*path_7).inside_0.material_0);
             inside_4.voxel_22 = hit_9.voxel_0 + vec3<i32>(face_normal_0(hit_9.face_0));
         }
-        receiver_19 = _S331;
+        receiver_19 = _S327;
         wo_5 = wo_4;
     }
     next_0.origin_9 = receiver_19.point_0;
@@ -5226,13 +5213,13 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
     {
         receiver_19 = last_5;
     }
-    if(_S330)
+    if(_S326)
     {
         (*path_7).selection_0 = Lights_selection_0(receiver_19);
     }
     var light_6 : LightSample_0 = no_light_0();
-    var _S335 : bool = !MaterialBsdf_is_delta_0(_S329);
-    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S329, wo_5, compensation_2, is_scattered_2, _S335);
+    var _S331 : bool = !MaterialBsdf_is_delta_0(_S325);
+    scatter_of_path_0 = Scatter_x24init_0((*path_7), receiver_19, surface_3, _S325, wo_5, compensation_2, is_scattered_2, _S331);
     if(is_weighed_0)
     {
         if(next_0.has_shadow_ray_0)
@@ -5249,8 +5236,8 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
         return next_0;
     }
     var bounce_1 : BsdfSample_0;
-    var _S336 : bool = MaterialBsdf_sample_0(_S329, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
-    if(!_S336)
+    var _S332 : bool = MaterialBsdf_sample_0(_S325, wo_5, vec3<f32>(u_16.xy, u_16.w), &(bounce_1));
+    if(!_S332)
     {
         return next_0;
     }
@@ -5277,16 +5264,16 @@ fn PathTracingOf_advance_0( path_7 : ptr<function, Path_0>,  ray_17 : Ray_0,  hi
 
 fn is_mover_0( instance_15 : u32) -> bool
 {
-    var _S337 : bool;
+    var _S333 : bool;
     if(instance_15 < (real_time_0.motions_0))
     {
-        _S337 = (motions_1[u32(4) * instance_15 + u32(3)].x) != 0.0f;
+        _S333 = (motions_1[u32(4) * instance_15 + u32(3)].x) != 0.0f;
     }
     else
     {
-        _S337 = false;
+        _S333 = false;
     }
-    return _S337;
+    return _S333;
 }
 
 fn shading_normal_0( ray_18 : Ray_0,  hit_10 : Hit_0,  material_10 : PackedMaterial_0) -> vec3<f32>
@@ -5311,56 +5298,56 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
 
 fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
 {
-    var _S338 : Path_0 = path_8;
+    var _S334 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
-    if(Inside_is_in_0(_S338.inside_0))
+    if(Inside_is_in_0(_S334.inside_0))
     {
-        absorb_0(&(_S338), _S338.inside_0, ray_19, hit_11.t_0);
+        absorb_0(&(_S334), _S334.inside_0, ray_19, hit_11.t_0);
     }
-    var material_12 : PackedMaterial_0 = material_met_0(_S338, hit_11, beyond_4);
+    var material_12 : PackedMaterial_0 = material_met_0(_S334, hit_11, beyond_4);
     (*sample_9).normal_1 = in_ten_bits_0(shading_normal_0(ray_19, hit_11, material_12));
-    (*sample_9).albedo_0 = _S338.beta_0 * albedo_of_0(material_12);
+    (*sample_9).albedo_0 = _S334.beta_0 * albedo_of_0(material_12);
     return;
 }
 
 fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
     (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S339 : bool;
+    var _S335 : bool;
     if((*this_49).sees_mover_0)
     {
-        _S339 = true;
+        _S335 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_12))
         {
-            _S339 = is_mover_0(hit_12.instance_0);
+            _S335 = is_mover_0(hit_12.instance_0);
         }
         else
         {
-            _S339 = false;
+            _S335 = false;
         }
     }
-    (*this_49).sees_mover_0 = _S339;
-    var _S340 : bool = ((*this_49).path_0.bounce_0) == u32(0);
+    (*this_49).sees_mover_0 = _S335;
+    var _S336 : bool = ((*this_49).path_0.bounce_0) == u32(0);
     if(goes_on_0)
     {
-        _S339 = _S340;
+        _S335 = _S336;
     }
     else
     {
-        _S339 = false;
+        _S335 = false;
     }
-    var _S341 : bool = !_S339;
-    (*this_49).has_shown_0 = _S341;
-    if(!_S341)
+    var _S337 : bool = !_S335;
+    (*this_49).has_shown_0 = _S337;
+    if(!_S337)
     {
         (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
     }
     else
     {
-        var _S342 : u32;
+        var _S338 : u32;
         if(!Hit_is_miss_0(hit_12))
         {
             show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, &((*sample_10)));
@@ -5369,31 +5356,31 @@ fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12
             {
                 if((*this_49).sees_mover_0)
                 {
-                    _S342 = u32(4294967295);
+                    _S338 = u32(4294967295);
                 }
                 else
                 {
-                    _S342 = u32(4294967294);
+                    _S338 = u32(4294967294);
                 }
             }
             else
             {
-                _S342 = hit_12.instance_0;
+                _S338 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S342;
+            (*sample_10).instance_7 = _S338;
         }
         else
         {
             (*sample_10).albedo_0 = vec3<f32>(0.0f);
             if((*this_49).sees_mover_0)
             {
-                _S342 = u32(4294967295);
+                _S338 = u32(4294967295);
             }
             else
             {
-                _S342 = u32(4294967294);
+                _S338 = u32(4294967294);
             }
-            (*sample_10).instance_7 = _S342;
+            (*sample_10).instance_7 = _S338;
         }
     }
     return;
@@ -5414,10 +5401,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S343 : BsdfEval_0;
-    _S343.weight_5 = weight_6;
-    _S343.pdf_10 = pdf_11;
-    return _S343;
+    var _S339 : BsdfEval_0;
+    _S339.weight_5 = weight_6;
+    _S339.pdf_10 = pdf_11;
+    return _S339;
 }
 
 fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5434,9 +5421,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S344 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S344;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S344) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S340 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S340;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S340) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_20 : Ray_0) -> u32
@@ -5445,17 +5432,17 @@ fn place_of_ray_0( ray_20 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_20.origin_0, length_squared_0(ray_20.origin_0 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S345 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
+    var _S341 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_2 : vec3<i32>;
     if((ray_20.t_max_0) <= 1.0f)
     {
-        var _S346 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
-        end_2 = _S346;
+        var _S342 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
+        end_2 = _S342;
     }
     else
     {
-        end_2 = _S345;
+        end_2 = _S341;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_2), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -5496,18 +5483,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
-        var _S347 : vec4<f32>;
+        var _S343 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S347 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S343 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            _S347 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S343 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
-        u_17 = _S347;
-        var _S348 : bool = count_5 > u32(1);
-        if(_S348)
+        u_17 = _S343;
+        var _S344 : bool = count_5 > u32(1);
+        if(_S344)
         {
             u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -5518,7 +5505,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S349 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
+        var _S345 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5526,41 +5513,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S349;
+            wi_5 = _S345;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S350 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S350);
-        var _S351 : bool;
+        var _S346 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S346);
+        var _S347 : bool;
         if(weighs_candidates_0)
         {
-            _S351 = _S348;
+            _S347 = _S344;
         }
         else
         {
-            _S351 = false;
+            _S347 = false;
         }
         var weight_8 : f32;
-        if(_S351)
+        if(_S347)
         {
-            var _S352 : f32 = visibility_0(light_7.ray_13);
-            weight_8 = weight_7 * _S352;
+            var _S348 : f32 = visibility_0(light_7.ray_13);
+            weight_8 = weight_7 * _S348;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_5 : f32 = sum_4 + weight_8;
-        var _S353 : bool;
-        if(_S348)
+        var _S349 : bool;
+        if(_S344)
         {
-            _S353 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
+            _S349 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
         }
         else
         {
-            _S353 = false;
+            _S349 = false;
         }
-        if(_S353)
+        if(_S349)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5571,7 +5558,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         {
             (*next_1).shadow_direction_0 = light_7.ray_13.direction_0;
             (*next_1).shadow_t_max_0 = light_7.ray_13.t_max_0;
-            (*next_1).light_2 = _S350;
+            (*next_1).light_2 = _S346;
             chosen_5 = weight_8;
         }
         else
@@ -5582,9 +5569,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S354 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S354;
-    if(_S354)
+    var _S350 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S350;
+    if(_S350)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5596,7 +5583,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
-    var _S355 : bool = (*at_7).is_at_cell_0;
+    var _S351 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
@@ -5607,8 +5594,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S356 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S356;
+        var _S352 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S352;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5619,8 +5606,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S357 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S357;
+            var _S353 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S353;
         }
         else
         {
@@ -5628,12 +5615,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S356;
-        var _S358 : Path_0 = (*at_7).path_0;
-        var _S359 : NextRays_0 = PathTracingOf_advance_0(&(_S358), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S358;
-        next_2 = _S359;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S356)));
+        var emitted_2 : vec3<f32> = _S352;
+        var _S354 : Path_0 = (*at_7).path_0;
+        var _S355 : NextRays_0 = PathTracingOf_advance_0(&(_S354), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S354;
+        next_2 = _S355;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S352)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5648,44 +5635,44 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if(!_S355)
+    if(!_S351)
     {
-        var _S360 : bool;
+        var _S356 : bool;
         if(counts_arrivals_0)
         {
-            _S360 = next_2.has_shadow_ray_0;
+            _S356 = next_2.has_shadow_ray_0;
         }
         else
         {
-            _S360 = false;
+            _S356 = false;
         }
-        if(_S360)
+        if(_S356)
         {
-            _S360 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S356 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S360 = false;
+            _S356 = false;
         }
-        if(_S360)
+        if(_S356)
         {
-            _S360 = !scatter_of_path_0.is_scattered_0;
+            _S356 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S360 = false;
+            _S356 = false;
         }
-        if(_S360)
+        if(_S356)
         {
-            _S360 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S356 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S360 = false;
+            _S356 = false;
         }
-        (*at_7).counts_0 = _S360;
+        (*at_7).counts_0 = _S356;
     }
-    if(_S355)
+    if(_S351)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5716,72 +5703,72 @@ fn key_of_1( hit_14 : Hit_0,  size_3 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_3, 1.0f, 128.0f);
     var power_8 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S361 : f32;
+    var _S357 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S361 = 1.0f;
+        _S357 = 1.0f;
     }
     else
     {
-        _S361 = 0.0f;
+        _S357 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_8 + _S361, 6.0f));
-    var _S362 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S362)));
-    var _S363 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S362))));
-    (*code_3) = u32(1) + (((((((_S363.x) | ((((_S363.y) << (level_1)))))) | ((((_S363.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_8 + _S357, 6.0f));
+    var _S358 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S358)));
+    var _S359 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S358))));
+    (*code_3) = u32(1) + (((((((_S359.x) | ((((_S359.y) << (level_1)))))) | ((((_S359.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_22 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S364 : bool;
+    var _S360 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S364 = true;
+        _S360 = true;
     }
     else
     {
-        _S364 = Inside_is_in_0(path_9.inside_0);
+        _S360 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S364)
+    if(_S360)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S364 = true;
+        _S360 = true;
     }
     else
     {
-        _S364 = (material_13.transmission_0) > 0.0f;
+        _S360 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S364)
+    if(_S360)
     {
         return false;
     }
     var code_4 : u32;
     var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_22.origin_0 + ray_22.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
-    var _S365 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
+    var _S361 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
     var is_from_first_1 : bool = (path_9.bounce_0) < u32(2);
     if(life_2 == u32(0))
     {
-        _S364 = true;
+        _S360 = true;
     }
     else
     {
         if(is_from_first_1)
         {
-            _S364 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S365;
+            _S360 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S361;
         }
         else
         {
-            _S364 = false;
+            _S360 = false;
         }
     }
-    if(_S364)
+    if(_S360)
     {
         return false;
     }
@@ -5813,13 +5800,13 @@ fn SunDisc_sample_1( receiver_20 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S366 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S366, _S366, 0.0f);
+    var _S362 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S362, _S362, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S367 : f32 = u_20.x * edge_1;
-    var _S368 : f32 = edge_1 - 1.0f;
-    var _S369 : f32 = min(floor(_S367), _S368);
-    var own_3 : u32 = u32(_S369) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S368));
+    var _S363 : f32 = u_20.x * edge_1;
+    var _S364 : f32 = edge_1 - 1.0f;
+    var _S365 : f32 = min(floor(_S363), _S364);
+    var own_3 : u32 = u32(_S365) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S364));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_3].threshold_0))
     {
@@ -5834,10 +5821,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S370 : u32 = index_28 % params_0.sky_edge_0;
-    var _S371 : f32 = f32(_S370);
-    var _S372 : u32 = index_28 / params_0.sky_edge_0;
-    var place_6 : vec2<f32> = vec2<f32>(_S371, f32(_S372)) + vec2<f32>(min(_S367 - _S369, 1.0f), u_20.w);
+    var _S366 : u32 = index_28 % params_0.sky_edge_0;
+    var _S367 : f32 = f32(_S366);
+    var _S368 : u32 = index_28 / params_0.sky_edge_0;
+    var place_6 : vec2<f32> = vec2<f32>(_S367, f32(_S368)) + vec2<f32>(min(_S363 - _S365, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_6 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_6), pdf_12);
     return true;
 }
@@ -5846,17 +5833,17 @@ fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S373 : bool;
+    var _S369 : bool;
     if(SKY_0 != u32(1))
     {
-        _S373 = true;
+        _S369 = true;
     }
     else
     {
-        var _S374 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S373 = !_S374;
+        var _S370 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S369 = !_S370;
     }
-    if(_S373)
+    if(_S369)
     {
         return false;
     }
@@ -5867,42 +5854,42 @@ fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 
 fn Descent_at_2( this_53 : ptr<function, Descent_0>,  root_4 : u32)
 {
-    var node_12 : LightNode_0 = TopLights_node_0(root_4);
+    var node_11 : LightNode_0 = TopLights_node_0(root_4);
     (*this_53).node_3 = root_4;
-    (*this_53).index_15 = node_12.index_11;
-    (*this_53).count_2 = node_12.count_1;
+    (*this_53).index_15 = node_11.index_11;
+    (*this_53).count_2 = node_11.count_1;
     (*this_53).is_far_3 = false;
     return;
 }
 
 fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function, Descent_0>) -> bool
 {
-    var node_13 : LightNode_0 = top_light_node_0(start_4);
+    var node_12 : LightNode_0 = top_light_node_0(start_4);
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S375 : LightNode_0 = node_13;
-        if((node_13.parent_0) != u32(4294967295))
+        var _S371 : LightNode_0 = node_12;
+        if((node_12.parent_0) != u32(4294967295))
         {
         }
         else
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S375.parent_0);
-        var _S376 : u32 = _S375.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S376;
-        var _S377 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S371.parent_0);
+        var _S372 : u32 = _S371.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S372;
+        var _S373 : u32;
         if(is_left_4)
         {
-            _S377 = parent_2.index_11;
+            _S373 = parent_2.index_11;
         }
         else
         {
-            _S377 = _S376;
+            _S373 = _S372;
         }
-        var own_4 : View_0 = view_0(node_13, receiver_22);
-        var other_3 : View_0 = view_0(top_light_node_0(_S377), receiver_22);
+        var own_4 : View_0 = view_0(node_12, receiver_22);
+        var other_3 : View_0 = view_0(top_light_node_0(_S373), receiver_22);
         var weights_3 : vec2<f32>;
         if(is_left_4)
         {
@@ -5912,26 +5899,26 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             weights_3 = weights_of_views_0(other_3, own_4);
         }
-        var _S378 : f32 = weights_3.x;
-        var _S379 : f32 = weights_3.y;
-        var total_6 : f32 = _S378 + _S379;
+        var _S374 : f32 = weights_3.x;
+        var _S375 : f32 = weights_3.y;
+        var total_6 : f32 = _S374 + _S375;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S380 : f32;
+        var _S376 : f32;
         if(is_left_4)
         {
-            _S380 = _S378;
+            _S376 = _S374;
         }
         else
         {
-            _S380 = _S379;
+            _S376 = _S375;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S380;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S376;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
-        node_13 = parent_2;
-        at_8 = _S375.parent_0;
+        node_12 = parent_2;
+        at_8 = _S371.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5940,16 +5927,16 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S381 : bool;
+        var _S377 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S381 = !(*descent_5).is_far_3;
+            _S377 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S381 = false;
+            _S377 = false;
         }
-        if(_S381)
+        if(_S377)
         {
         }
         else
@@ -5963,29 +5950,29 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_5 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_4 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_views_0(view_0(left_5, receiver_23), view_0(right_4, receiver_23));
-        var _S382 : f32 = weights_4.x;
-        var _S383 : f32 = weights_4.y;
-        var total_7 : f32 = _S382 + _S383;
+        var _S378 : f32 = weights_4.x;
+        var _S379 : f32 = weights_4.y;
+        var total_7 : f32 = _S378 + _S379;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S384 : bool;
-        if(_S383 <= 0.0f)
+        var _S380 : bool;
+        if(_S379 <= 0.0f)
         {
-            _S384 = true;
+            _S380 = true;
         }
         else
         {
-            _S384 = ((*descent_5).choice_0 * total_7) < (_S382 * (*descent_5).weight_0);
+            _S380 = ((*descent_5).choice_0 * total_7) < (_S378 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S385 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S385 >= (vector_of_0(left_5.min_1))))))
+            var _S381 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S381 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_5 = (all((_S385 < (vector_of_0(left_5.max_1)))));
+                is_left_5 = (all((_S381 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5994,63 +5981,63 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S384;
+            is_left_5 = _S380;
         }
-        var _S386 : f32 = (*descent_5).choice_0 * total_7;
+        var _S382 : f32 = (*descent_5).choice_0 * total_7;
+        var _S383 : f32;
+        if(is_left_5)
+        {
+            _S383 = 0.0f;
+        }
+        else
+        {
+            _S383 = _S378 * (*descent_5).weight_0;
+        }
+        (*descent_5).choice_0 = _S382 - _S383;
+        var _S384 : u32;
+        if(is_left_5)
+        {
+            _S384 = (*descent_5).node_3 + u32(1);
+        }
+        else
+        {
+            _S384 = (*descent_5).index_15;
+        }
+        (*descent_5).node_3 = _S384;
+        var _S385 : u32;
+        if(is_left_5)
+        {
+            _S385 = left_5.index_11;
+        }
+        else
+        {
+            _S385 = right_4.index_11;
+        }
+        (*descent_5).index_15 = _S385;
+        var _S386 : u32;
+        if(is_left_5)
+        {
+            _S386 = left_5.count_1;
+        }
+        else
+        {
+            _S386 = right_4.count_1;
+        }
+        (*descent_5).count_2 = _S386;
+        (*descent_5).is_far_3 = false;
         var _S387 : f32;
         if(is_left_5)
         {
-            _S387 = 0.0f;
+            _S387 = _S378;
         }
         else
         {
-            _S387 = _S382 * (*descent_5).weight_0;
+            _S387 = _S379;
         }
-        (*descent_5).choice_0 = _S386 - _S387;
-        var _S388 : u32;
-        if(is_left_5)
-        {
-            _S388 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S388 = (*descent_5).index_15;
-        }
-        (*descent_5).node_3 = _S388;
-        var _S389 : u32;
-        if(is_left_5)
-        {
-            _S389 = left_5.index_11;
-        }
-        else
-        {
-            _S389 = right_4.index_11;
-        }
-        (*descent_5).index_15 = _S389;
-        var _S390 : u32;
-        if(is_left_5)
-        {
-            _S390 = left_5.count_1;
-        }
-        else
-        {
-            _S390 = right_4.count_1;
-        }
-        (*descent_5).count_2 = _S390;
-        (*descent_5).is_far_3 = false;
-        var _S391 : f32;
-        if(is_left_5)
-        {
-            _S391 = _S382;
-        }
-        else
-        {
-            _S391 = _S383;
-        }
-        var _S392 : f32 = (*descent_5).weight_0 * _S391;
-        (*descent_5).weight_0 = _S392;
+        var _S388 : f32 = (*descent_5).weight_0 * _S387;
+        (*descent_5).weight_0 = _S388;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S392 <= 0.0f)
+        if(_S388 <= 0.0f)
         {
             return false;
         }
@@ -6060,10 +6047,10 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 
 fn Descent_at_3( this_54 : ptr<function, Descent_0>,  root_5 : u32)
 {
-    var node_14 : LightNode_0 = GridLights_node_0(root_5);
+    var node_13 : LightNode_0 = GridLights_node_0(root_5);
     (*this_54).node_3 = root_5;
-    (*this_54).index_15 = node_14.index_11;
-    (*this_54).count_2 = node_14.count_1;
+    (*this_54).index_15 = node_13.index_11;
+    (*this_54).count_2 = node_13.count_1;
     (*this_54).is_far_3 = false;
     return;
 }
@@ -6072,16 +6059,16 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S393 : bool;
+        var _S389 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S393 = !(*descent_6).is_far_3;
+            _S389 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S393 = false;
+            _S389 = false;
         }
-        if(_S393)
+        if(_S389)
         {
         }
         else
@@ -6097,29 +6084,29 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_6, receiver_24);
         var of_right_1 : View_0 = view_0(right_5, receiver_24);
         var weights_5 : vec2<f32> = weights_of_views_0(of_left_1, of_right_1);
-        var _S394 : f32 = weights_5.x;
-        var _S395 : f32 = weights_5.y;
-        var total_8 : f32 = _S394 + _S395;
+        var _S390 : f32 = weights_5.x;
+        var _S391 : f32 = weights_5.y;
+        var total_8 : f32 = _S390 + _S391;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S396 : bool;
-        if(_S395 <= 0.0f)
+        var _S392 : bool;
+        if(_S391 <= 0.0f)
         {
-            _S396 = true;
+            _S392 = true;
         }
         else
         {
-            _S396 = ((*descent_6).choice_0 * total_8) < (_S394 * (*descent_6).weight_0);
+            _S392 = ((*descent_6).choice_0 * total_8) < (_S390 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S397 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S397 >= (vector_of_0(left_6.min_1))))))
+            var _S393 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S393 >= (vector_of_0(left_6.min_1))))))
             {
-                is_left_6 = (all((_S397 < (vector_of_0(left_6.max_1)))));
+                is_left_6 = (all((_S393 < (vector_of_0(left_6.max_1)))));
             }
             else
             {
@@ -6128,72 +6115,72 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S396;
+            is_left_6 = _S392;
         }
-        var _S398 : f32 = (*descent_6).choice_0 * total_8;
-        var _S399 : f32;
+        var _S394 : f32 = (*descent_6).choice_0 * total_8;
+        var _S395 : f32;
         if(is_left_6)
         {
-            _S399 = 0.0f;
+            _S395 = 0.0f;
         }
         else
         {
-            _S399 = _S394 * (*descent_6).weight_0;
+            _S395 = _S390 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S398 - _S399;
-        var _S400 : u32;
+        (*descent_6).choice_0 = _S394 - _S395;
+        var _S396 : u32;
         if(is_left_6)
         {
-            _S400 = (*descent_6).node_3 + u32(1);
+            _S396 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S400 = (*descent_6).index_15;
+            _S396 = (*descent_6).index_15;
         }
-        (*descent_6).node_3 = _S400;
-        var _S401 : u32;
+        (*descent_6).node_3 = _S396;
+        var _S397 : u32;
         if(is_left_6)
         {
-            _S401 = left_6.index_11;
+            _S397 = left_6.index_11;
         }
         else
         {
-            _S401 = right_5.index_11;
+            _S397 = right_5.index_11;
         }
-        (*descent_6).index_15 = _S401;
-        var _S402 : u32;
+        (*descent_6).index_15 = _S397;
+        var _S398 : u32;
         if(is_left_6)
         {
-            _S402 = left_6.count_1;
+            _S398 = left_6.count_1;
         }
         else
         {
-            _S402 = right_5.count_1;
+            _S398 = right_5.count_1;
         }
-        (*descent_6).count_2 = _S402;
-        var _S403 : bool;
+        (*descent_6).count_2 = _S398;
+        var _S399 : bool;
         if(is_left_6)
         {
-            _S403 = of_left_1.is_far_0;
+            _S399 = of_left_1.is_far_0;
         }
         else
         {
-            _S403 = of_right_1.is_far_0;
+            _S399 = of_right_1.is_far_0;
         }
-        (*descent_6).is_far_3 = _S403;
-        var _S404 : f32;
+        (*descent_6).is_far_3 = _S399;
+        var _S400 : f32;
         if(is_left_6)
         {
-            _S404 = _S394;
+            _S400 = _S390;
         }
         else
         {
-            _S404 = _S395;
+            _S400 = _S391;
         }
-        var _S405 : f32 = (*descent_6).weight_0 * _S404;
-        (*descent_6).weight_0 = _S405;
+        var _S401 : f32 = (*descent_6).weight_0 * _S400;
+        (*descent_6).weight_0 = _S401;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S405 <= 0.0f)
+        if(_S401 <= 0.0f)
         {
             return false;
         }
@@ -6203,28 +6190,24 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 
 fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  side_4 : ptr<function, u32>,  odds_3 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_15 : LightNode_0 = light_node_at_0(way_6.node_3);
-    var _S406 : vec3<f32> = vector_of_0(node_15.max_1);
-    var _S407 : vec3<f32> = vector_of_0(node_15.min_1);
-    var _S408 : vec3<f32> = vec3<f32>(0.5f);
-    var sent_2 : BySide_0 = sent_by_side_0(node_15, point_7, length_bound_0(reach_of_0((_S407 + _S406) * _S408 - point_7, (_S406 - _S407) * _S408)));
-    var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_2));
+    var sent_1 : BySide_0 = sent_by_side_0(light_node_at_0(way_6.node_3), point_7);
+    var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S409 : f32 = way_6.choice_0 * total_9;
-    var _S410 : u32 = (*side_4);
-    var share_8 : f32 = normal_or_zero_0(sent_2.low_10[u32(0)] * unit_3);
-    var _S411 : bool;
+    var _S402 : f32 = way_6.choice_0 * total_9;
+    var _S403 : u32 = (*side_4);
+    var share_8 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_3);
+    var _S404 : bool;
     if(is_met_3)
     {
-        _S411 = u32(0) == _S410;
+        _S404 = u32(0) == _S403;
     }
     else
     {
-        _S411 = share_8 > 0.0f;
+        _S404 = share_8 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S411)
+    if(_S404)
     {
         (*side_4) = u32(0);
         chosen_8 = share_8;
@@ -6233,145 +6216,145 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S412 : bool = _S409 < (share_8 * way_6.weight_0);
-    var share_9 : f32 = normal_or_zero_0(sent_2.high_4[u32(0)] * unit_3);
+    var _S405 : bool = _S402 < (share_8 * way_6.weight_0);
+    var share_9 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S411 = u32(1) == _S410;
+        _S404 = u32(1) == _S403;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S411 = !_S412;
+            _S404 = !_S405;
         }
         else
         {
-            _S411 = false;
+            _S404 = false;
         }
     }
-    if(_S411)
+    if(_S404)
     {
         (*side_4) = u32(1);
         chosen_8 = share_9;
     }
     var passed_4 : f32 = share_8 + share_9;
-    if(_S412)
+    if(_S405)
     {
-        _S411 = true;
+        _S404 = true;
     }
     else
     {
-        _S411 = _S409 < (passed_4 * way_6.weight_0);
+        _S404 = _S402 < (passed_4 * way_6.weight_0);
     }
-    var share_10 : f32 = normal_or_zero_0(sent_2.low_10[u32(1)] * unit_3);
-    var _S413 : bool;
+    var share_10 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_3);
+    var _S406 : bool;
     if(is_met_3)
     {
-        _S413 = u32(2) == _S410;
+        _S406 = u32(2) == _S403;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S413 = !_S411;
+            _S406 = !_S404;
         }
         else
         {
-            _S413 = false;
+            _S406 = false;
         }
     }
-    if(_S413)
+    if(_S406)
     {
         (*side_4) = u32(2);
         chosen_8 = share_10;
     }
     var passed_5 : f32 = passed_4 + share_10;
-    if(_S411)
+    if(_S404)
     {
-        _S411 = true;
+        _S404 = true;
     }
     else
     {
-        _S411 = _S409 < (passed_5 * way_6.weight_0);
+        _S404 = _S402 < (passed_5 * way_6.weight_0);
     }
-    var share_11 : f32 = normal_or_zero_0(sent_2.high_4[u32(1)] * unit_3);
+    var share_11 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S413 = u32(3) == _S410;
+        _S406 = u32(3) == _S403;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S413 = !_S411;
+            _S406 = !_S404;
         }
         else
         {
-            _S413 = false;
+            _S406 = false;
         }
     }
-    if(_S413)
+    if(_S406)
     {
         (*side_4) = u32(3);
         chosen_8 = share_11;
     }
     var passed_6 : f32 = passed_5 + share_11;
-    if(_S411)
+    if(_S404)
     {
-        _S411 = true;
+        _S404 = true;
     }
     else
     {
-        _S411 = _S409 < (passed_6 * way_6.weight_0);
+        _S404 = _S402 < (passed_6 * way_6.weight_0);
     }
-    var share_12 : f32 = normal_or_zero_0(sent_2.low_10[u32(2)] * unit_3);
+    var share_12 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S413 = u32(4) == _S410;
+        _S406 = u32(4) == _S403;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S413 = !_S411;
+            _S406 = !_S404;
         }
         else
         {
-            _S413 = false;
+            _S406 = false;
         }
     }
-    if(_S413)
+    if(_S406)
     {
         (*side_4) = u32(4);
         chosen_8 = share_12;
     }
     var passed_7 : f32 = passed_6 + share_12;
-    if(_S411)
+    if(_S404)
     {
-        _S411 = true;
+        _S404 = true;
     }
     else
     {
-        _S411 = _S409 < (passed_7 * way_6.weight_0);
+        _S404 = _S402 < (passed_7 * way_6.weight_0);
     }
-    var share_13 : f32 = normal_or_zero_0(sent_2.high_4[u32(2)] * unit_3);
+    var share_13 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S411 = u32(5) == _S410;
+        _S404 = u32(5) == _S403;
     }
     else
     {
         if(share_13 > 0.0f)
         {
-            _S411 = !_S411;
+            _S404 = !_S404;
         }
         else
         {
-            _S411 = false;
+            _S404 = false;
         }
     }
-    if(_S411)
+    if(_S404)
     {
         (*side_4) = u32(5);
         chosen_8 = share_13;
@@ -6379,13 +6362,13 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S411 = ((*odds_3).x) > 0.0f;
+        _S404 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S411 = false;
+        _S404 = false;
     }
-    return _S411;
+    return _S404;
 }
 
 fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6397,45 +6380,45 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S414 : bool;
+    var _S407 : bool;
     if(!IS_SINGLE_0)
     {
-        _S414 = aim_7.is_met_0;
+        _S407 = aim_7.is_met_0;
     }
     else
     {
-        _S414 = false;
+        _S407 = false;
     }
-    if(_S414)
+    if(_S407)
     {
-        var _S415 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S415.light_leaf_0) == u32(4294967295))
+        var _S408 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S408.light_leaf_0) == u32(4294967295))
         {
-            _S414 = true;
+            _S407 = true;
         }
         else
         {
-            var _S416 : bool = climb_1(receiver_25, _S415.light_leaf_0, &(descent_7));
-            _S414 = !_S416;
+            var _S409 : bool = climb_1(receiver_25, _S408.light_leaf_0, &(descent_7));
+            _S407 = !_S409;
         }
-        if(_S414)
+        if(_S407)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S415.light_leaf_0);
+        Descent_at_2(&(descent_7), _S408.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S417 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
-            _S414 = !_S417;
+            var _S410 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
+            _S407 = !_S410;
         }
         else
         {
-            _S414 = false;
+            _S407 = false;
         }
-        if(_S414)
+        if(_S407)
         {
             return false;
         }
@@ -6443,35 +6426,35 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_25);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S418 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S418)
+    var _S411 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S411)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S419 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S419)
+    var _S412 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S412)
     {
         return false;
     }
     var power_9 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S420 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S413 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S421 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S420.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S421;
-        return _S421 > 0.0f;
+        var _S414 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S413.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S414;
+        return _S414 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_9);
-    var _S422 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S422, side_5, u_22.z, u_22.w);
+    var _S415 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S415, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_9, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S420.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S420.grid_from_world_0.translation_0), _S422, side_5, on_face_1)) - receiver_25.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S413.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S413.grid_from_world_0.translation_0), _S415, side_5, on_face_1)) - receiver_25.point_0;
     var cos_theta_9 : f32 = with_slack_0(receiver_25, divide_0(dot_product_0(receiver_25.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_25.point_0, 0.0f, direction_29, 1.0f), cos_theta_9, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_9 > 0.0f;
@@ -6479,8 +6462,8 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_26 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S423 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
-    return _S423;
+    var _S416 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
+    return _S416;
 }
 
 fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6504,9 +6487,9 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S424 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
+        var _S417 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S424;
+        is_found_11 = _S417;
     }
     else
     {
@@ -6528,15 +6511,15 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S425 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S418 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S425;
+            is_found_11 = _S418;
         }
         else
         {
-            var _S426 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S419 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S426;
+            is_found_11 = _S419;
         }
     }
     return is_found_11;
@@ -6556,8 +6539,8 @@ fn Diffuse_sample_1( this_55 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_56 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S427 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
-    return _S427;
+    var _S420 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
+    return _S420;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6652,7 +6635,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S428 : vec3<f32> = vec3<f32>(0.0f);
+    var _S421 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6660,12 +6643,12 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     else
     {
-        le_3 = _S428;
+        le_3 = _S421;
     }
     var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S429 : bool = weighs_apart_0();
-    if(_S429)
+    var _S422 : bool = weighs_apart_0();
+    if(_S422)
     {
         is_weighed_1 = is_lit_1;
     }
@@ -6693,7 +6676,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S429)
+        if(!_S422)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6703,15 +6686,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S430 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S430;
+            var _S423 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S423;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S431 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S432 : f32 = (*path_11).pdf_1;
+        var _S424 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S425 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6720,13 +6703,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S431 * vec3<f32>(mis_weight_0(_S432, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S424 * vec3<f32>(mis_weight_0(_S425, light_pdf_2));
     }
-    var _S433 : f32 = ior_of_0((*path_11).inside_0);
-    var _S434 : f32 = u_27[i32(3)];
-    var _S435 : MaterialBsdf_0 = bsdf_of_1(material_15, _S433, &(_S434));
-    u_27[i32(3)] = _S434;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S435);
+    var _S426 : f32 = ior_of_0((*path_11).inside_0);
+    var _S427 : f32 = u_27[i32(3)];
+    var _S428 : MaterialBsdf_0 = bsdf_of_1(material_15, _S426, &(_S427));
+    u_27[i32(3)] = _S427;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S428);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6735,8 +6718,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S436 : bool = !is_weighed_1;
-    if(_S436)
+    var _S429 : bool = !is_weighed_1;
+    if(_S429)
     {
         if(is_chosen_1)
         {
@@ -6756,7 +6739,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S436)
+    if(_S429)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6778,19 +6761,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_24, at_9);
-    var _S437 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
-    var _S438 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S438);
+    var _S430 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
+    var _S431 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S431);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S439 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S439;
-        var _S440 : vec3<f32> = normalize_vector_0(_S438);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S439, ray_24, t_16), _S428);
-        wo_11 = _S440;
+        var _S432 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S432;
+        var _S433 : vec3<f32> = normalize_vector_0(_S431);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S432, ray_24, t_16), _S421);
+        wo_11 = _S433;
     }
     else
     {
@@ -6800,7 +6783,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_28 = _S437;
+        receiver_28 = _S430;
         wo_11 = wo_10;
     }
     next_3.origin_9 = receiver_28.point_0;
@@ -6809,13 +6792,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         receiver_28 = last_6;
     }
-    if(_S436)
+    if(_S429)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S441 : bool = !MaterialBsdf_is_delta_0(_S435);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S435, wo_11, compensation_3, is_scattered_3, _S441);
+    var _S434 : bool = !MaterialBsdf_is_delta_0(_S428);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S428, wo_11, compensation_3, is_scattered_3, _S434);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6832,8 +6815,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S442 : bool = MaterialBsdf_sample_1(_S435, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S442)
+    var _S435 : bool = MaterialBsdf_sample_1(_S428, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S435)
     {
         return next_3;
     }
@@ -6860,56 +6843,56 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
 
 fn show_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S443 : Path_0 = path_12;
+    var _S436 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S443.inside_0))
+    if(Inside_is_in_0(_S436.inside_0))
     {
-        absorb_1(&(_S443), _S443.inside_0, ray_25, hit_17.t_0);
+        absorb_1(&(_S436), _S436.inside_0, ray_25, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S443, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S436, hit_17, beyond_9);
     (*sample_19).normal_1 = in_ten_bits_0(shading_normal_0(ray_25, hit_17, material_16));
-    (*sample_19).albedo_0 = _S443.beta_0 * albedo_of_0(material_16);
+    (*sample_19).albedo_0 = _S436.beta_0 * albedo_of_0(material_16);
     return;
 }
 
 fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
     (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S444 : bool;
+    var _S437 : bool;
     if((*this_57).sees_mover_0)
     {
-        _S444 = true;
+        _S437 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_18))
         {
-            _S444 = is_mover_0(hit_18.instance_0);
+            _S437 = is_mover_0(hit_18.instance_0);
         }
         else
         {
-            _S444 = false;
+            _S437 = false;
         }
     }
-    (*this_57).sees_mover_0 = _S444;
-    var _S445 : bool = ((*this_57).path_0.bounce_0) == u32(0);
+    (*this_57).sees_mover_0 = _S437;
+    var _S438 : bool = ((*this_57).path_0.bounce_0) == u32(0);
     if(goes_on_3)
     {
-        _S444 = _S445;
+        _S437 = _S438;
     }
     else
     {
-        _S444 = false;
+        _S437 = false;
     }
-    var _S446 : bool = !_S444;
-    (*this_57).has_shown_0 = _S446;
-    if(!_S446)
+    var _S439 : bool = !_S437;
+    (*this_57).has_shown_0 = _S439;
+    if(!_S439)
     {
         (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
     }
     else
     {
-        var _S447 : u32;
+        var _S440 : u32;
         if(!Hit_is_miss_0(hit_18))
         {
             show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, &((*sample_20)));
@@ -6918,31 +6901,31 @@ fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18
             {
                 if((*this_57).sees_mover_0)
                 {
-                    _S447 = u32(4294967295);
+                    _S440 = u32(4294967295);
                 }
                 else
                 {
-                    _S447 = u32(4294967294);
+                    _S440 = u32(4294967294);
                 }
             }
             else
             {
-                _S447 = hit_18.instance_0;
+                _S440 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S447;
+            (*sample_20).instance_7 = _S440;
         }
         else
         {
             (*sample_20).albedo_0 = vec3<f32>(0.0f);
             if((*this_57).sees_mover_0)
             {
-                _S447 = u32(4294967295);
+                _S440 = u32(4294967295);
             }
             else
             {
-                _S447 = u32(4294967294);
+                _S440 = u32(4294967294);
             }
-            (*sample_20).instance_7 = _S447;
+            (*sample_20).instance_7 = _S440;
         }
     }
     return;
@@ -6973,18 +6956,18 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S448 : vec4<f32>;
+        var _S441 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S448 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S441 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S448 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S441 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S448;
-        var _S449 : bool = count_6 > u32(1);
-        if(_S449)
+        u_28 = _S441;
+        var _S442 : bool = count_6 > u32(1);
+        if(_S442)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
@@ -6995,7 +6978,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S450 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
+        var _S443 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -7003,41 +6986,41 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S450;
+            wi_7 = _S443;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S451 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_9 : f32 = luminance_0(_S451);
-        var _S452 : bool;
+        var _S444 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_9 : f32 = luminance_0(_S444);
+        var _S445 : bool;
         if(weighs_candidates_0)
         {
-            _S452 = _S449;
+            _S445 = _S442;
         }
         else
         {
-            _S452 = false;
+            _S445 = false;
         }
         var weight_10 : f32;
-        if(_S452)
+        if(_S445)
         {
-            var _S453 : f32 = visibility_0(light_11.ray_13);
-            weight_10 = weight_9 * _S453;
+            var _S446 : f32 = visibility_0(light_11.ray_13);
+            weight_10 = weight_9 * _S446;
         }
         else
         {
             weight_10 = weight_9;
         }
         var sum_8 : f32 = sum_7 + weight_10;
-        var _S454 : bool;
-        if(_S449)
+        var _S447 : bool;
+        if(_S442)
         {
-            _S454 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
+            _S447 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
         }
         else
         {
-            _S454 = false;
+            _S447 = false;
         }
-        if(_S454)
+        if(_S447)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -7048,7 +7031,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_13.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_13.t_max_0;
-            (*next_4).light_2 = _S451;
+            (*next_4).light_2 = _S444;
             chosen_10 = weight_10;
         }
         else
@@ -7059,9 +7042,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S455 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S455;
-    if(_S455)
+    var _S448 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S448;
+    if(_S448)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -7071,7 +7054,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
-    var _S456 : bool = (*at_10).is_at_cell_0;
+    var _S449 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
@@ -7082,8 +7065,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S457 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S457;
+        var _S450 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S450;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -7094,8 +7077,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S458 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S458;
+            var _S451 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S451;
         }
         else
         {
@@ -7103,12 +7086,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S457;
-        var _S459 : Path_0 = (*at_10).path_0;
-        var _S460 : NextRays_0 = PathTracingOf_advance_1(&(_S459), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S459;
-        next_5 = _S460;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S457)));
+        var emitted_4 : vec3<f32> = _S450;
+        var _S452 : Path_0 = (*at_10).path_0;
+        var _S453 : NextRays_0 = PathTracingOf_advance_1(&(_S452), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S452;
+        next_5 = _S453;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S450)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -7123,44 +7106,44 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if(!_S456)
+    if(!_S449)
     {
-        var _S461 : bool;
+        var _S454 : bool;
         if(counts_arrivals_0)
         {
-            _S461 = next_5.has_shadow_ray_0;
+            _S454 = next_5.has_shadow_ray_0;
         }
         else
         {
-            _S461 = false;
+            _S454 = false;
         }
-        if(_S461)
+        if(_S454)
         {
-            _S461 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S454 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S461 = false;
+            _S454 = false;
         }
-        if(_S461)
+        if(_S454)
         {
-            _S461 = !scatter_of_path_0.is_scattered_0;
+            _S454 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S461 = false;
+            _S454 = false;
         }
-        if(_S461)
+        if(_S454)
         {
-            _S461 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S454 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S461 = false;
+            _S454 = false;
         }
-        (*at_10).counts_0 = _S461;
+        (*at_10).counts_0 = _S454;
     }
-    if(_S456)
+    if(_S449)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -7279,7 +7262,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S462 : vec3<f32> = vec3<f32>(0.0f);
+    var _S455 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7287,12 +7270,12 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     else
     {
-        le_5 = _S462;
+        le_5 = _S455;
     }
     var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_26.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S463 : bool = weighs_apart_0();
-    if(_S463)
+    var _S456 : bool = weighs_apart_0();
+    if(_S456)
     {
         is_weighed_2 = is_lit_2;
     }
@@ -7320,7 +7303,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S463)
+        if(!_S456)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7330,15 +7313,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S464 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S464;
+            var _S457 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S457;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S465 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S466 : f32 = (*path_13).pdf_1;
+        var _S458 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S459 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7347,13 +7330,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S465 * vec3<f32>(mis_weight_0(_S466, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S458 * vec3<f32>(mis_weight_0(_S459, light_pdf_3));
     }
-    var _S467 : f32 = ior_of_0((*path_13).inside_0);
-    var _S468 : f32 = u_29[i32(3)];
-    var _S469 : MaterialBsdf_0 = bsdf_of_1(material_17, _S467, &(_S468));
-    u_29[i32(3)] = _S468;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S469);
+    var _S460 : f32 = ior_of_0((*path_13).inside_0);
+    var _S461 : f32 = u_29[i32(3)];
+    var _S462 : MaterialBsdf_0 = bsdf_of_1(material_17, _S460, &(_S461));
+    u_29[i32(3)] = _S461;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S462);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7362,8 +7345,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S470 : bool = !is_weighed_2;
-    if(_S470)
+    var _S463 : bool = !is_weighed_2;
+    if(_S463)
     {
         if(is_chosen_2)
         {
@@ -7383,7 +7366,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S470)
+    if(_S463)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7405,19 +7388,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_26, at_11);
-    var _S471 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
-    var _S472 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S472);
+    var _S464 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
+    var _S465 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S465);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_29 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S473 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S473;
-        var _S474 : vec3<f32> = normalize_vector_0(_S472);
-        receiver_29 = Receiver_x24init_0(Inside_point_0(_S473, ray_26, t_17), _S462);
-        wo_13 = _S474;
+        var _S466 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S466;
+        var _S467 : vec3<f32> = normalize_vector_0(_S465);
+        receiver_29 = Receiver_x24init_0(Inside_point_0(_S466, ray_26, t_17), _S455);
+        wo_13 = _S467;
     }
     else
     {
@@ -7427,7 +7410,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_29 = _S471;
+        receiver_29 = _S464;
         wo_13 = wo_12;
     }
     next_6.origin_9 = receiver_29.point_0;
@@ -7436,13 +7419,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         receiver_29 = last_7;
     }
-    if(_S470)
+    if(_S463)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_29);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S475 : bool = !MaterialBsdf_is_delta_0(_S469);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S469, wo_13, compensation_4, is_scattered_4, _S475);
+    var _S468 : bool = !MaterialBsdf_is_delta_0(_S462);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S462, wo_13, compensation_4, is_scattered_4, _S468);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7459,8 +7442,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S476 : bool = MaterialBsdf_sample_1(_S469, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S476)
+    var _S469 : bool = MaterialBsdf_sample_1(_S462, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S469)
     {
         return next_6;
     }
@@ -7488,7 +7471,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
-    var _S477 : bool = (*at_12).is_at_cell_0;
+    var _S470 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
@@ -7499,8 +7482,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S478 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S478;
+        var _S471 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S471;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7511,8 +7494,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S479 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S479;
+            var _S472 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S472;
         }
         else
         {
@@ -7520,12 +7503,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S478;
-        var _S480 : Path_0 = (*at_12).path_0;
-        var _S481 : NextRays_0 = PathTracingOf_advance_1(&(_S480), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S480;
-        next_7 = _S481;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S478)));
+        var emitted_5 : vec3<f32> = _S471;
+        var _S473 : Path_0 = (*at_12).path_0;
+        var _S474 : NextRays_0 = PathTracingOf_advance_1(&(_S473), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S473;
+        next_7 = _S474;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S471)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7536,7 +7519,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if(_S477)
+    if(_S470)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7578,40 +7561,40 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S482 : u32 = u32(2) * index_30;
-    var _S483 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S482);
-    var _S484 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S482 + u32(1));
-    var node_16 : InstanceNode_0;
-    var _S485 : f32 = (bitcast<f32>((_S483.y)));
-    var _S486 : f32 = (bitcast<f32>((_S483.z)));
-    node_16.min_2[i32(0)] = (bitcast<f32>((_S483.x)));
-    node_16.min_2[i32(1)] = _S485;
-    node_16.min_2[i32(2)] = _S486;
-    node_16.index_29 = _S483.w;
-    var _S487 : f32 = (bitcast<f32>((_S484.y)));
-    var _S488 : f32 = (bitcast<f32>((_S484.z)));
-    node_16.max_2[i32(0)] = (bitcast<f32>((_S484.x)));
-    node_16.max_2[i32(1)] = _S487;
-    node_16.max_2[i32(2)] = _S488;
-    node_16.is_leaf_0 = _S484.w;
-    return node_16;
+    var _S475 : u32 = u32(2) * index_30;
+    var _S476 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S475);
+    var _S477 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S475 + u32(1));
+    var node_14 : InstanceNode_0;
+    var _S478 : f32 = (bitcast<f32>((_S476.y)));
+    var _S479 : f32 = (bitcast<f32>((_S476.z)));
+    node_14.min_2[i32(0)] = (bitcast<f32>((_S476.x)));
+    node_14.min_2[i32(1)] = _S478;
+    node_14.min_2[i32(2)] = _S479;
+    node_14.index_29 = _S476.w;
+    var _S480 : f32 = (bitcast<f32>((_S477.y)));
+    var _S481 : f32 = (bitcast<f32>((_S477.z)));
+    node_14.max_2[i32(0)] = (bitcast<f32>((_S477.x)));
+    node_14.max_2[i32(1)] = _S480;
+    node_14.max_2[i32(2)] = _S481;
+    node_14.is_leaf_0 = _S477.w;
+    return node_14;
 }
 
-fn entry_0( node_17 : InstanceNode_0,  ray_27 : Ray_0,  inverse_3 : vec3<f32>) -> f32
+fn entry_0( node_15 : InstanceNode_0,  ray_27 : Ray_0,  inverse_3 : vec3<f32>) -> f32
 {
-    var low_16 : vec3<f32> = (vector_of_0(node_17.min_2) - ray_27.origin_0) * inverse_3;
-    var high_6 : vec3<f32> = (vector_of_0(node_17.max_2) - ray_27.origin_0) * inverse_3;
-    var _S489 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
-    var _S490 : f32;
-    if(_S489 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
+    var low_16 : vec3<f32> = (vector_of_0(node_15.min_2) - ray_27.origin_0) * inverse_3;
+    var high_6 : vec3<f32> = (vector_of_0(node_15.max_2) - ray_27.origin_0) * inverse_3;
+    var _S482 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
+    var _S483 : f32;
+    if(_S482 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
     {
-        _S490 = _S489;
+        _S483 = _S482;
     }
     else
     {
-        _S490 = (bitcast<f32>(infinity_bits_0));
+        _S483 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S490;
+    return _S483;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
@@ -7619,8 +7602,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S491 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S491;
+        var _S484 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S484;
     }
     var ray_28 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -7629,15 +7612,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S492 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S485 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S493 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S494 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S486 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S487 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S494;
+    var is_leaf_2 : bool = _S487;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S493.index_29;
+    var below_1 : u32 = _S486.index_29;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -7647,16 +7630,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S495 : bool;
+            var _S488 : bool;
             if(is_done_1)
             {
-                _S495 = depth_1 > u32(0);
+                _S488 = depth_1 > u32(0);
             }
             else
             {
-                _S495 = !is_leaf_2;
+                _S488 = !is_leaf_2;
             }
-            if(_S495)
+            if(_S488)
             {
             }
             else
@@ -7667,25 +7650,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S496 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S497 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S489 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S490 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_28.t_max_0);
-                is_leaf_1 = _S497;
+                is_leaf_1 = _S490;
                 index_32 = stack_0[depth_2];
-                below_2 = _S496.index_29;
+                below_2 = _S489.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S498 : u32 = index_31 + u32(1);
-                var _S499 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S498);
-                var _S500 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S499, ray_28, _S492);
-                var to_right_0 : f32 = entry_0(_S500, ray_28, _S492);
+                var _S491 : u32 = index_31 + u32(1);
+                var _S492 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S491);
+                var _S493 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S492, ray_28, _S485);
+                var to_right_0 : f32 = entry_0(_S493, ray_28, _S485);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S501 : f32 = max(to_left_0, to_right_0);
+                var _S494 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S501 < INFINITY_0)
+                if(_S494 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7693,51 +7676,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_32 = _S498;
+                        index_32 = _S491;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S501;
+                    entries_0[depth_1] = _S494;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S502 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S503 : u32;
+                var _S495 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S496 : u32;
                 if(is_left_7)
                 {
-                    _S503 = _S498;
+                    _S496 = _S491;
                 }
                 else
                 {
-                    _S503 = below_2;
+                    _S496 = below_2;
                 }
-                var _S504 : u32;
+                var _S497 : u32;
                 if(is_left_7)
                 {
-                    _S504 = _S499.index_29;
+                    _S497 = _S492.index_29;
                 }
                 else
                 {
-                    _S504 = _S500.index_29;
+                    _S497 = _S493.index_29;
                 }
-                var _S505 : u32;
+                var _S498 : u32;
                 if(is_left_7)
                 {
-                    _S505 = _S499.is_leaf_0;
+                    _S498 = _S492.is_leaf_0;
                 }
                 else
                 {
-                    _S505 = _S500.is_leaf_0;
+                    _S498 = _S493.is_leaf_0;
                 }
-                var _S506 : bool = _S505 != u32(0);
-                var _S507 : u32 = index_32;
-                is_done_1 = _S502;
-                is_leaf_1 = _S506;
-                index_32 = _S503;
-                below_2 = _S504;
-                depth_1 = _S507;
+                var _S499 : bool = _S498 != u32(0);
+                var _S500 : u32 = index_32;
+                is_done_1 = _S495;
+                is_leaf_1 = _S499;
+                index_32 = _S496;
+                below_2 = _S497;
+                depth_1 = _S500;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7746,17 +7729,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         {
             break;
         }
-        var _S508 : Hit_0 = hit_in_0(below_2, &(ray_28));
-        var _S509 : Hit_0 = nearest_4;
-        if((_S508.t_0) < (nearest_4.t_0))
+        var _S501 : Hit_0 = hit_in_0(below_2, &(ray_28));
+        var _S502 : Hit_0 = nearest_4;
+        if((_S501.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S508.t_0) == (_S509.t_0))
+            if((_S501.t_0) == (_S502.t_0))
             {
-                is_leaf_1 = (_S508.instance_0) < (nearest_4.instance_0);
+                is_leaf_1 = (_S501.instance_0) < (nearest_4.instance_0);
             }
             else
             {
@@ -7765,12 +7748,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         }
         if(is_leaf_1)
         {
-            ray_28.t_max_0 = _S508.t_0;
+            ray_28.t_max_0 = _S501.t_0;
             if(is_any_enough_0)
             {
-                return _S508;
+                return _S501;
             }
-            nearest_4 = _S508;
+            nearest_4 = _S501;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -7784,8 +7767,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S510 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S510;
+        var _S503 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S503;
     }
     var ray_29 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -7794,15 +7777,15 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S511 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S504 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S512 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S513 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S505 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S506 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S513;
+    var is_leaf_4 : bool = _S506;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S512.index_29;
+    var below_3 : u32 = _S505.index_29;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
@@ -7812,16 +7795,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S514 : bool;
+            var _S507 : bool;
             if(is_done_3)
             {
-                _S514 = depth_4 > u32(0);
+                _S507 = depth_4 > u32(0);
             }
             else
             {
-                _S514 = !is_leaf_4;
+                _S507 = !is_leaf_4;
             }
-            if(_S514)
+            if(_S507)
             {
             }
             else
@@ -7832,25 +7815,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S515 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S516 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                var _S508 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S509 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
                 is_done_3 = (entries_1[depth_5]) > (ray_29.t_max_0);
-                is_leaf_3 = _S516;
+                is_leaf_3 = _S509;
                 index_34 = stack_1[depth_5];
-                below_4 = _S515.index_29;
+                below_4 = _S508.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S517 : u32 = index_33 + u32(1);
-                var _S518 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S517);
-                var _S519 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S518, ray_29, _S511);
-                var to_right_1 : f32 = entry_0(_S519, ray_29, _S511);
+                var _S510 : u32 = index_33 + u32(1);
+                var _S511 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S510);
+                var _S512 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S511, ray_29, _S504);
+                var to_right_1 : f32 = entry_0(_S512, ray_29, _S504);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S520 : f32 = max(to_left_1, to_right_1);
+                var _S513 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S520 < INFINITY_1)
+                if(_S513 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7858,51 +7841,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
                     }
                     else
                     {
-                        index_34 = _S517;
+                        index_34 = _S510;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S520;
+                    entries_1[depth_4] = _S513;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S521 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S522 : u32;
+                var _S514 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
+                var _S515 : u32;
                 if(is_left_8)
                 {
-                    _S522 = _S517;
+                    _S515 = _S510;
                 }
                 else
                 {
-                    _S522 = below_4;
+                    _S515 = below_4;
                 }
-                var _S523 : u32;
+                var _S516 : u32;
                 if(is_left_8)
                 {
-                    _S523 = _S518.index_29;
+                    _S516 = _S511.index_29;
                 }
                 else
                 {
-                    _S523 = _S519.index_29;
+                    _S516 = _S512.index_29;
                 }
-                var _S524 : u32;
+                var _S517 : u32;
                 if(is_left_8)
                 {
-                    _S524 = _S518.is_leaf_0;
+                    _S517 = _S511.is_leaf_0;
                 }
                 else
                 {
-                    _S524 = _S519.is_leaf_0;
+                    _S517 = _S512.is_leaf_0;
                 }
-                var _S525 : bool = _S524 != u32(0);
-                var _S526 : u32 = index_34;
-                is_done_3 = _S521;
-                is_leaf_3 = _S525;
-                index_34 = _S522;
-                below_4 = _S523;
-                depth_4 = _S526;
+                var _S518 : bool = _S517 != u32(0);
+                var _S519 : u32 = index_34;
+                is_done_3 = _S514;
+                is_leaf_3 = _S518;
+                index_34 = _S515;
+                below_4 = _S516;
+                depth_4 = _S519;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7911,17 +7894,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         {
             break;
         }
-        var _S527 : Hit_0 = hit_in_1(below_4, &(ray_29));
-        var _S528 : Hit_0 = nearest_6;
-        if((_S527.t_0) < (nearest_6.t_0))
+        var _S520 : Hit_0 = hit_in_1(below_4, &(ray_29));
+        var _S521 : Hit_0 = nearest_6;
+        if((_S520.t_0) < (nearest_6.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S527.t_0) == (_S528.t_0))
+            if((_S520.t_0) == (_S521.t_0))
             {
-                is_leaf_3 = (_S527.instance_0) < (nearest_6.instance_0);
+                is_leaf_3 = (_S520.instance_0) < (nearest_6.instance_0);
             }
             else
             {
@@ -7930,12 +7913,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         }
         if(is_leaf_3)
         {
-            ray_29.t_max_0 = _S527.t_0;
+            ray_29.t_max_0 = _S520.t_0;
             if(is_any_enough_1)
             {
-                return _S527;
+                return _S520;
             }
-            nearest_6 = _S527;
+            nearest_6 = _S520;
         }
         is_done_2 = true;
         below_3 = below_4;
@@ -7951,11 +7934,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S529 : Sampler_0;
-    _S529.seed_1 = seed_3;
-    _S529.pixel_0 = pixel_1;
-    _S529.sample_0 = sample_23;
-    return _S529;
+    var _S522 : Sampler_0;
+    _S522.seed_1 = seed_3;
+    _S522.pixel_0 = pixel_1;
+    _S522.sample_0 = sample_23;
+    return _S522;
 }
 
 struct Item_0
@@ -7970,14 +7953,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S530 : Item_0;
-    _S530.traces_0 = traces_1;
-    _S530.kind_2 = kind_3;
-    _S530.at_13 = at_14;
-    _S530.place_7 = place_8;
-    _S530.slot_0 = slot_1;
-    _S530.sampler_2 = sampler_3;
-    return _S530;
+    var _S523 : Item_0;
+    _S523.traces_0 = traces_1;
+    _S523.kind_2 = kind_3;
+    _S523.at_13 = at_14;
+    _S523.place_7 = place_8;
+    _S523.slot_0 = slot_1;
+    _S523.sampler_2 = sampler_3;
+    return _S523;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -8038,58 +8021,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S531 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S531;
+        var _S524 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S524;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S532 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S532);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S532 + real_time_0.number_0) & (u32(1))));
+    var _S525 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S525);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S525 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S533 : vec2<u32> = vec2<u32>(u32(5));
-    var _S534 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S533 - vec2<u32>(u32(1))) / _S533;
-    return _S534;
+    var _S526 : vec2<u32> = vec2<u32>(u32(5));
+    var _S527 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S526 - vec2<u32>(u32(1))) / _S526;
+    return _S527;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S535 : u32 = square_1 % columns_1;
-    var _S536 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S535, _S536);
-    var _S537 : vec2<u32> = vec2<u32>(u32(5));
-    var _S538 : vec2<u32> = at_16 * _S537;
-    var _S539 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S537;
-    return min(_S538 + _S539, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S528 : u32 = square_1 % columns_1;
+    var _S529 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S528, _S529);
+    var _S530 : vec2<u32> = vec2<u32>(u32(5));
+    var _S531 : vec2<u32> = at_16 * _S530;
+    var _S532 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S530;
+    return min(_S531 + _S532, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S540 : bool;
+    var _S533 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S540 = (at_17.x) < i32(params_0.width_0);
+        _S533 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S540 = false;
+        _S533 = false;
     }
-    if(_S540)
+    if(_S533)
     {
-        _S540 = (at_17.y) < i32(params_0.height_0);
+        _S533 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S540 = false;
+        _S533 = false;
     }
-    return _S540;
+    return _S533;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -8111,23 +8094,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S541 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S542 : bool = number_4 < _S541;
-        item_0.traces_0 = _S542;
-        if(_S542)
+        var _S534 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S535 : bool = number_4 < _S534;
+        item_0.traces_0 = _S535;
+        if(_S535)
         {
-            var _S543 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S543;
+            var _S536 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S536;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S544 : u32 = number_4 - cells_2;
-    var _S545 : vec2<u32> = pixel_that_traces_0(_S544);
-    item_0.at_13 = _S545;
-    var square_3 : u32 = _S544 - pixels_1;
+    var _S537 : u32 = number_4 - cells_2;
+    var _S538 : vec2<u32> = pixel_that_traces_0(_S537);
+    item_0.at_13 = _S538;
+    var square_3 : u32 = _S537 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -8156,82 +8139,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S546 : u32;
+    var _S539 : u32;
     if(is_again_0)
     {
-        _S546 = u32(3);
+        _S539 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S546 = u32(2);
+            _S539 = u32(2);
         }
         else
         {
-            _S546 = u32(1);
+            _S539 = u32(1);
         }
     }
-    item_0.kind_2 = _S546;
+    item_0.kind_2 = _S539;
     if(is_square_0)
     {
-        var _S547 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S547;
+        var _S540 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S540;
     }
-    var _S548 : bool;
+    var _S541 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S546 = real_time_0.again_0;
+            _S539 = real_time_0.again_0;
         }
         else
         {
-            _S546 = count_8;
+            _S539 = count_8;
         }
-        _S548 = square_4 < _S546;
+        _S541 = square_4 < _S539;
     }
     else
     {
-        _S548 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S541 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S548;
+    item_0.traces_0 = _S541;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S546 = u32(2);
+            _S539 = u32(2);
         }
         else
         {
-            _S546 = (frame_0 & (u32(1)));
+            _S539 = (frame_0 & (u32(1)));
         }
-        _S546 = place_of_square_0(_S546, square_4);
+        _S539 = place_of_square_0(_S539, square_4);
     }
     else
     {
-        _S546 = index_of_0(item_0.at_13);
+        _S539 = index_of_0(item_0.at_13);
     }
-    item_0.place_7 = _S546;
+    item_0.place_7 = _S539;
     if(is_square_0)
     {
-        _S546 = real_time_0.pixels_0 + square_4;
+        _S539 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S546 = item_0.place_7;
+        _S539 = item_0.place_7;
     }
-    item_0.slot_0 = _S546;
-    var _S549 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S539;
+    var _S542 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S546 = u32(3266489909);
+        _S539 = u32(3266489909);
     }
     else
     {
-        _S546 = u32(2654435769);
+        _S539 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S549 ^ (_S546)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S542 ^ (_S539)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8249,16 +8232,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S550 : CameraFrame_0;
-    _S550.lens_1 = lens_2;
-    _S550.eye_2 = eye_3;
-    _S550.corner_2 = corner_3;
-    _S550.pixel_x_1 = pixel_x_2;
-    _S550.pixel_y_1 = pixel_y_2;
-    _S550.lens_x_1 = lens_x_2;
-    _S550.lens_y_1 = lens_y_2;
-    _S550.blades_1 = blades_2;
-    return _S550;
+    var _S543 : CameraFrame_0;
+    _S543.lens_1 = lens_2;
+    _S543.eye_2 = eye_3;
+    _S543.corner_2 = corner_3;
+    _S543.pixel_x_1 = pixel_x_2;
+    _S543.pixel_y_1 = pixel_y_2;
+    _S543.lens_x_1 = lens_x_2;
+    _S543.lens_y_1 = lens_y_2;
+    _S543.blades_1 = blades_2;
+    return _S543;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8273,12 +8256,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S551 : Perspective_0;
-    _S551.eye_4 = eye_5;
-    _S551.corner_4 = corner_5;
-    _S551.pixel_x_3 = pixel_x_4;
-    _S551.pixel_y_3 = pixel_y_4;
-    return _S551;
+    var _S544 : Perspective_0;
+    _S544.eye_4 = eye_5;
+    _S544.corner_4 = corner_5;
+    _S544.pixel_x_3 = pixel_x_4;
+    _S544.pixel_y_3 = pixel_y_4;
+    return _S544;
 }
 
 struct Axes_0
@@ -8290,11 +8273,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_7 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S552 : Axes_0;
-    _S552.forward_0 = forward_1;
-    _S552.right_6 = right_7;
-    _S552.up_0 = up_1;
-    return _S552;
+    var _S545 : Axes_0;
+    _S545.forward_0 = forward_1;
+    _S545.right_6 = right_7;
+    _S545.up_0 = up_1;
+    return _S545;
 }
 
 struct ThinLens_0
@@ -8307,28 +8290,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S553 : ThinLens_0;
-    _S553.perspective_0 = perspective_1;
-    _S553.lens_x_3 = lens_x_4;
-    _S553.lens_y_3 = lens_y_4;
-    _S553.blades_3 = blades_4;
-    return _S553;
+    var _S546 : ThinLens_0;
+    _S546.perspective_0 = perspective_1;
+    _S546.lens_x_3 = lens_x_4;
+    _S546.lens_y_3 = lens_y_4;
+    _S546.blades_3 = blades_4;
+    return _S546;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S554 : bool;
+    var _S547 : bool;
     if(a_6 == 0.0f)
     {
-        _S554 = b_6 == 0.0f;
+        _S547 = b_6 == 0.0f;
     }
     else
     {
-        _S554 = false;
+        _S547 = false;
     }
-    if(_S554)
+    if(_S547)
     {
         return vec2<f32>(0.0f);
     }
@@ -8355,7 +8338,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S555 : f32 = abs(radius_5);
+    var _S548 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8364,7 +8347,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S555, radius_5);
+    return vec2<f32>(_S548, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8382,9 +8365,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_14 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S556 : f32 = from_0.y;
-    var _S557 : f32 = from_0.x;
-    return vec2<f32>(_S556 + (to_0.y - _S556) * share_14, _S557 + (to_0.x - _S557) * share_14) * vec2<f32>(radius_6);
+    var _S549 : f32 = from_0.y;
+    var _S550 : f32 = from_0.x;
+    return vec2<f32>(_S549 + (to_0.y - _S549) * share_14, _S550 + (to_0.x - _S550) * share_14) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8404,12 +8387,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S558 : Orthographic_0;
-    _S558.corner_6 = corner_7;
-    _S558.pixel_x_5 = pixel_x_6;
-    _S558.pixel_y_5 = pixel_y_6;
-    _S558.forward_2 = forward_3;
-    return _S558;
+    var _S551 : Orthographic_0;
+    _S551.corner_6 = corner_7;
+    _S551.pixel_x_5 = pixel_x_6;
+    _S551.pixel_y_5 = pixel_y_6;
+    _S551.forward_2 = forward_3;
+    return _S551;
 }
 
 fn Orthographic_ray_0( this_62 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8427,12 +8410,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S559 : Panorama_0;
-    _S559.eye_6 = eye_7;
-    _S559.axes_1 = axes_2;
-    _S559.inverse_size_0 = inverse_size_1;
-    _S559.half_eye_distance_0 = half_eye_distance_1;
-    return _S559;
+    var _S552 : Panorama_0;
+    _S552.eye_6 = eye_7;
+    _S552.axes_1 = axes_2;
+    _S552.inverse_size_0 = inverse_size_1;
+    _S552.half_eye_distance_0 = half_eye_distance_1;
+    return _S552;
 }
 
 fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8459,9 +8442,9 @@ fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_63.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S560 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S561 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S561 - this_63.axes_1.right_6 * _S560) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S560 + this_63.axes_1.right_6 * _S561) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S553 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S554 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S554 - this_63.axes_1.right_6 * _S553) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S553 + this_63.axes_1.right_6 * _S554) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8474,12 +8457,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S562 : Fisheye_0;
-    _S562.eye_8 = eye_9;
-    _S562.axes_3 = axes_4;
-    _S562.middle_1 = middle_2;
-    _S562.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S562;
+    var _S555 : Fisheye_0;
+    _S555.eye_8 = eye_9;
+    _S555.axes_3 = axes_4;
+    _S555.middle_1 = middle_2;
+    _S555.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S555;
 }
 
 fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8542,14 +8525,14 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_30 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S563 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
-    return _S563;
+    var _S556 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
+    return _S556;
 }
 
 fn WalkTracer_trace_1( ray_31 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S564 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
-    return _S564;
+    var _S557 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
+    return _S557;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8595,29 +8578,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_32 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S565 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
-        keep_hit_0(item_1.slot_0, _S565);
+        var _S558 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
+        keep_hit_0(item_1.slot_0, _S558);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_10 : vec3<f32>,  instance_16 : u32) -> Sample_0
 {
-    var _S566 : Sample_0;
-    _S566.direct_0 = direct_1;
-    _S566.light_1 = light_14;
-    _S566.is_shown_0 = is_shown_1;
-    _S566.albedo_0 = albedo_1;
-    _S566.normal_1 = normal_7;
-    _S566.place_0 = place_10;
-    _S566.instance_7 = instance_16;
-    return _S566;
+    var _S559 : Sample_0;
+    _S559.direct_0 = direct_1;
+    _S559.light_1 = light_14;
+    _S559.is_shown_0 = is_shown_1;
+    _S559.albedo_0 = albedo_1;
+    _S559.normal_1 = normal_7;
+    _S559.place_0 = place_10;
+    _S559.instance_7 = instance_16;
+    return _S559;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S567 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S567, _S567, false, _S567, _S567, _S567, u32(4294967294));
+    var _S560 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S560, _S560, false, _S560, _S560, _S560, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_67 : Item_0) -> bool
@@ -8627,28 +8610,28 @@ fn Item_is_cell_0( this_67 : Item_0) -> bool
 
 fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S568 : u32 = Key_level_0(this_68);
-    var bits_4 : u32 = ((u32(1) << (_S568))) - u32(1);
+    var _S561 : u32 = Key_level_0(this_68);
+    var bits_4 : u32 = ((u32(1) << (_S561))) - u32(1);
     var place_11 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_68)))))));
-    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S568)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S568))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S568)))) & (bits_4))));
+    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S561)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S561))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S561)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_8 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S569 : Path_0;
-    _S569.sampler_0 = sampler_5;
-    _S569.bounce_0 = bounce_4;
-    _S569.event_0 = event_2;
-    _S569.kinds_0 = kinds_1;
-    _S569.scattered_0 = scattered_5;
-    _S569.beta_0 = beta_1;
-    _S569.pdf_1 = pdf_14;
-    _S569.normal_0 = normal_8;
-    _S569.selection_0 = selection_5;
-    _S569.passed_t_0 = passed_t_1;
-    _S569.inside_0 = inside_8;
-    _S569.is_clipped_0 = is_clipped_1;
-    return _S569;
+    var _S562 : Path_0;
+    _S562.sampler_0 = sampler_5;
+    _S562.bounce_0 = bounce_4;
+    _S562.event_0 = event_2;
+    _S562.kinds_0 = kinds_1;
+    _S562.scattered_0 = scattered_5;
+    _S562.beta_0 = beta_1;
+    _S562.pdf_1 = pdf_14;
+    _S562.normal_0 = normal_8;
+    _S562.selection_0 = selection_5;
+    _S562.passed_t_0 = passed_t_1;
+    _S562.inside_0 = inside_8;
+    _S562.is_clipped_0 = is_clipped_1;
+    return _S562;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8658,9 +8641,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S570 : f32 = z_1.z;
+    var _S563 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S570 < 0.0f)
+    if(_S563 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -8668,12 +8651,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_0 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S570);
-    var _S571 : f32 = z_1.x;
-    var _S572 : f32 = z_1.y;
-    var b_7 : f32 = _S571 * _S572 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_0 * _S571 * _S571 * a_7, sign_0 * b_7, - sign_0 * _S571);
-    (*y_6) = vec3<f32>(b_7, sign_0 + _S572 * _S572 * a_7, - _S572);
+    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S563);
+    var _S564 : f32 = z_1.x;
+    var _S565 : f32 = z_1.y;
+    var b_7 : f32 = _S564 * _S565 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_0 * _S564 * _S564 * a_7, sign_0 * b_7, - sign_0 * _S564);
+    (*y_6) = vec3<f32>(b_7, sign_0 + _S565 * _S565 * a_7, - _S565);
     return;
 }
 
@@ -8684,9 +8667,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S573 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S573);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S573);
+    var _S566 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S566);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S566);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8696,43 +8679,43 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_10, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S574 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S574);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S574);
+    var _S567 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S567);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S567);
 }
 
 fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_17 : u32) -> Surface_0
 {
-    var _S575 : Surface_0;
-    _S575.origin_11 = origin_13;
-    _S575.normal_3 = normal_11;
-    _S575.face_2 = face_11;
-    _S575.instance_11 = instance_17;
-    return _S575;
+    var _S568 : Surface_0;
+    _S568.origin_11 = origin_13;
+    _S568.normal_3 = normal_11;
+    _S568.face_2 = face_11;
+    _S568.instance_11 = instance_17;
+    return _S568;
 }
 
 fn Walker_x24init_0( path_14 : Path_0,  ray_33 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool,  counts_1 : bool,  sees_mover_1 : bool) -> Walker_0
 {
-    var _S576 : Walker_0;
-    _S576.path_0 = path_14;
-    _S576.ray_7 = ray_33;
-    _S576.is_shadow_ray_0 = is_shadow_ray_1;
-    _S576.light_0 = light_15;
-    _S576.direction_4 = direction_30;
-    _S576.path_origin_0 = path_origin_3;
-    _S576.shadow_inside_0 = shadow_inside_3;
-    _S576.boundaries_0 = boundaries_1;
-    _S576.relocates_0 = relocates_3;
-    _S576.path_relocates_0 = path_relocates_3;
-    _S576.camera_ray_0 = camera_ray_2;
-    _S576.way_3 = way_7;
-    _S576.has_shown_0 = has_shown_1;
-    _S576.asks_cache_0 = asks_cache_1;
-    _S576.life_0 = life_3;
-    _S576.is_at_cell_0 = is_at_cell_1;
-    _S576.counts_0 = counts_1;
-    _S576.sees_mover_0 = sees_mover_1;
-    return _S576;
+    var _S569 : Walker_0;
+    _S569.path_0 = path_14;
+    _S569.ray_7 = ray_33;
+    _S569.is_shadow_ray_0 = is_shadow_ray_1;
+    _S569.light_0 = light_15;
+    _S569.direction_4 = direction_30;
+    _S569.path_origin_0 = path_origin_3;
+    _S569.shadow_inside_0 = shadow_inside_3;
+    _S569.boundaries_0 = boundaries_1;
+    _S569.relocates_0 = relocates_3;
+    _S569.path_relocates_0 = path_relocates_3;
+    _S569.camera_ray_0 = camera_ray_2;
+    _S569.way_3 = way_7;
+    _S569.has_shown_0 = has_shown_1;
+    _S569.asks_cache_0 = asks_cache_1;
+    _S569.life_0 = life_3;
+    _S569.is_at_cell_0 = is_at_cell_1;
+    _S569.counts_0 = counts_1;
+    _S569.sees_mover_0 = sees_mover_1;
+    return _S569;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8740,7 +8723,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S577 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S570 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8757,13 +8740,13 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S578 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_14 : vec3<f32> = Transform_point_0(_S578.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S578.grid_from_world_0.translation_0), _S577, face_12, _S577 + on_face_2));
-    var normal_12 : vec3<f32> = world_normal_0(_S578, face_12);
+    var _S571 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S571.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S571.grid_from_world_0.translation_0), _S570, face_12, _S570 + on_face_2));
+    var normal_12 : vec3<f32> = world_normal_0(_S571, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S579 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S579));
-    path_15.pdf_1 = _S579;
+    var _S572 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S572));
+    path_15.pdf_1 = _S572;
     var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_12);
     path_15.selection_0 = Lights_selection_0(receiver_30);
     path_15.normal_0 = normal_12;
@@ -8786,29 +8769,29 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_69 : Item_0) -> bool
 {
-    var _S580 : bool;
+    var _S573 : bool;
     if(Item_is_cell_0(this_69))
     {
-        _S580 = true;
+        _S573 = true;
     }
     else
     {
         if((this_69.kind_2) == u32(1))
         {
-            _S580 = has_0(u32(1));
+            _S573 = has_0(u32(1));
         }
         else
         {
-            _S580 = false;
+            _S573 = false;
         }
     }
-    return _S580;
+    return _S573;
 }
 
 fn at_camera_0( ray_35 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S581 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S581, _S581, _S581, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false);
+    var _S574 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S574, _S574, _S574, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false);
 }
 
 fn Item_start_0( this_70 : Item_0) -> Walker_0
@@ -8817,10 +8800,10 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_70, &(rank_8));
-        var _S582 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
-        return _S582;
+        var _S575 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
+        return _S575;
     }
-    var _S583 : CameraFrame_0 = FrameParams_camera_0();
+    var _S576 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_70.kind_2) == u32(3))
     {
@@ -8828,7 +8811,7 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S583;
+        camera_1 = _S576;
     }
     return at_camera_0(camera_ray_1(this_70.at_13, camera_1, this_70.sampler_2), this_70.sampler_2, Item_asks_cache_0(this_70));
 }
@@ -8872,81 +8855,81 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_6 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S584 : Slot_0;
-    _S584.item_2 = item_3;
-    _S584.own_5 = own_6;
-    _S584.lent_0 = lent_1;
-    return _S584;
+    var _S577 : Slot_0;
+    _S577.item_2 = item_3;
+    _S577.own_5 = own_6;
+    _S577.lent_0 = lent_1;
+    return _S577;
 }
 
 fn lets_light_pass_0( material_18 : PackedMaterial_0) -> bool
 {
-    var _S585 : bool;
+    var _S578 : bool;
     if((material_18.transmission_0) > 0.0f)
     {
         if((material_18.ior_0) == 1.0f)
         {
-            _S585 = true;
+            _S578 = true;
         }
         else
         {
-            _S585 = (params_0.clear_shadows_0) != u32(0);
+            _S578 = (params_0.clear_shadows_0) != u32(0);
         }
     }
     else
     {
-        _S585 = false;
+        _S578 = false;
     }
-    return _S585;
+    return _S578;
 }
 
 fn is_matte_0( material_19 : PackedMaterial_0) -> bool
 {
-    var _S586 : bool;
+    var _S579 : bool;
     if((material_19.transmission_0) <= 0.0f)
     {
-        _S586 = (material_19.metallic_0) <= 0.0f;
+        _S579 = (material_19.metallic_0) <= 0.0f;
     }
     else
     {
-        _S586 = false;
+        _S579 = false;
     }
-    if(_S586)
+    if(_S579)
     {
-        _S586 = (material_19.specular_0) <= 0.0f;
+        _S579 = (material_19.specular_0) <= 0.0f;
     }
     else
     {
-        _S586 = false;
+        _S579 = false;
     }
-    return _S586;
+    return _S579;
 }
 
 fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    var _S587 : bool;
+    var _S580 : bool;
     if(!has_0(u32(1024)))
     {
-        _S587 = true;
+        _S580 = true;
     }
     else
     {
-        _S587 = Hit_is_miss_0(hit_23);
+        _S580 = Hit_is_miss_0(hit_23);
     }
-    if(_S587)
+    if(_S580)
     {
         return false;
     }
     var material_20 : PackedMaterial_0 = material_of_0(hit_23);
     if(is_shadow_ray_2)
     {
-        _S587 = lets_light_pass_0(material_20);
+        _S580 = lets_light_pass_0(material_20);
     }
     else
     {
-        _S587 = !is_matte_0(material_20);
+        _S580 = !is_matte_0(material_20);
     }
-    return _S587;
+    return _S580;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8958,52 +8941,52 @@ fn set_left_0( slot_8 : u32)
 fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S588 : bool;
+    var _S581 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S588 = true;
+        _S581 = true;
     }
     else
     {
-        _S588 = Inside_is_in_0(path_16.inside_0);
+        _S581 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S588)
+    if(_S581)
     {
         return false;
     }
     var material_21 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_21.metallic_0) > 0.0f)
     {
-        _S588 = true;
+        _S581 = true;
     }
     else
     {
-        _S588 = (material_21.transmission_0) > 0.0f;
+        _S581 = (material_21.transmission_0) > 0.0f;
     }
-    if(_S588)
+    if(_S581)
     {
         return false;
     }
     var code_6 : u32;
     var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
-    var _S589 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
+    var _S582 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
     var is_from_first_2 : bool = (path_16.bounce_0) < u32(2);
     if(life_4 == u32(0))
     {
-        _S588 = true;
+        _S581 = true;
     }
     else
     {
         if(is_from_first_2)
         {
-            _S588 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S589;
+            _S581 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S582;
         }
         else
         {
-            _S588 = false;
+            _S581 = false;
         }
     }
-    if(_S588)
+    if(_S581)
     {
         return false;
     }
@@ -9018,23 +9001,23 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_13 : vec3<f32>) -> u32
 {
-    var _S590 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
-    return (((((u32(_S590.x) & (u32(1023)))) | (((((u32(_S590.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S590.z) & (u32(1023)))) << (u32(20))))));
+    var _S583 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
+    return (((((u32(_S583.x) & (u32(1023)))) | (((((u32(_S583.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S583.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S591 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S592 : u32;
+    var _S584 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S585 : u32;
     if(sample_24.is_shown_0)
     {
-        _S592 = u32(1073741824);
+        _S585 = u32(1073741824);
     }
     else
     {
-        _S592 = u32(0);
+        _S585 = u32(0);
     }
-    var normal_14 : u32 = (_S591 | (_S592));
+    var normal_14 : u32 = (_S584 | (_S585));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -9048,16 +9031,16 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_20 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_20 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S593 : u32;
+    var _S586 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S593 = (bitcast<u32>((at_19.ray_7.t_max_0)));
+        _S586 = (bitcast<u32>((at_19.ray_7.t_max_0)));
     }
     else
     {
-        _S593 = u32(0);
+        _S586 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_71.own_5, vec2<u32>(_S593, word_10));
+    set_scratch_row_0(u32(4), this_71.own_5, vec2<u32>(_S586, word_10));
     set_scratch_row_0(u32(7), this_71.own_5, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
     set_scratch_row_0(u32(8), this_71.own_5, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
     set_scratch_row_0(u32(9), this_71.own_5, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
@@ -9066,10 +9049,10 @@ fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_20 : u32,  face_1
 
 fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_21 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S594 : Sample_0 = sample_25;
-    _S594.light_1 = vec3<f32>(0.0f);
-    _S594.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_72.own_5, _S594);
+    var _S587 : Sample_0 = sample_25;
+    _S587.light_1 = vec3<f32>(0.0f);
+    _S587.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_72.own_5, _S587);
     scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_5][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_72, at_20, instance_21, face_14);
     return;
@@ -9077,16 +9060,16 @@ fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_21 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S595 : f32;
+    var _S588 : f32;
     if(sample_26.is_shown_0)
     {
-        _S595 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S588 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S595 = 0.0f;
+        _S588 = 0.0f;
     }
-    return _S595;
+    return _S588;
 }
 
 fn Item_end_0( this_73 : Item_0,  sample_27 : Sample_0)
@@ -9135,9 +9118,9 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S596 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S596;
-        var _S597 : Hit_0 = miss_0();
+        var _S589 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S589;
+        var _S590 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
         var instance_22 : u32;
         var face_15 : u32;
@@ -9145,10 +9128,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S598 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S597;
+            var _S591 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S590;
             instance_22 = key_8.instance_9;
-            face_15 = _S598;
+            face_15 = _S591;
         }
         else
         {
@@ -9157,16 +9140,16 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
             instance_22 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S599 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S599, _S599);
+        var _S592 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S592, _S592);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S600 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S600)
+            var _S593 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S593)
             {
                 Slot_keep_first_0(slot_10, at_21, instance_22, face_15, hit_25.t_0, sample_29);
             }
@@ -9186,31 +9169,31 @@ fn is_over_0( slot_11 : u32) -> bool
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_3 : u32,  counts_2 : bool)
 {
-    var _S601 : bool;
+    var _S594 : bool;
     if(is_of_pixel_0)
     {
-        _S601 = has_0(u32(4096));
+        _S594 = has_0(u32(4096));
     }
     else
     {
-        _S601 = false;
+        _S594 = false;
     }
-    weighs_candidates_0 = _S601;
+    weighs_candidates_0 = _S594;
     counts_arrivals_0 = false;
-    if(_S601)
+    if(_S594)
     {
-        _S601 = counts_2;
+        _S594 = counts_2;
     }
     else
     {
-        _S601 = false;
+        _S594 = false;
     }
-    if(_S601)
+    if(_S594)
     {
         var stride_2 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S602 : u32 = pixel_3 / stride_2;
-        var _S603 : u32 = (pixel_3 + u32(7) * _S602 + real_time_0.number_0) % stride_2;
-        counts_arrivals_0 = _S603 == u32(0);
+        var _S595 : u32 = pixel_3 / stride_2;
+        var _S596 : u32 = (pixel_3 + u32(7) * _S595 + real_time_0.number_0) % stride_2;
+        counts_arrivals_0 = _S596 == u32(0);
     }
     return;
 }
@@ -9238,15 +9221,15 @@ fn Slot_instance_0( this_77 : Slot_0) -> u32
 fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S604 : vec3<f32> = origin_in_0(this_78.own_5);
-    surface_7.origin_11 = _S604;
-    var _S605 : u32 = Slot_face_0(this_78);
-    surface_7.face_2 = _S605;
-    var _S606 : u32 = Slot_instance_0(this_78);
-    surface_7.instance_11 = _S606;
-    var _S607 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S606), _S605);
-    surface_7.normal_3 = _S607;
-    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S604, _S607);
+    var _S597 : vec3<f32> = origin_in_0(this_78.own_5);
+    surface_7.origin_11 = _S597;
+    var _S598 : u32 = Slot_face_0(this_78);
+    surface_7.face_2 = _S598;
+    var _S599 : u32 = Slot_instance_0(this_78);
+    surface_7.instance_11 = _S599;
+    var _S600 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S599), _S598);
+    surface_7.normal_3 = _S600;
+    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S597, _S600);
     var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_31);
     var bsdf_2 : MaterialBsdf_0;
@@ -9279,18 +9262,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S608 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S608, _S608);
-    var _S609 : bool;
+    var _S601 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S601, _S601);
+    var _S602 : bool;
     if(item_5.traces_0)
     {
-        _S609 = !is_over_0(item_5.slot_0);
+        _S602 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S609 = false;
+        _S602 = false;
     }
-    if(_S609)
+    if(_S602)
     {
         first_candidates_0 = real_time_0.candidates_0;
         weigh_candidates_0((item_5.kind_2) == u32(1), item_5.place_7, false);
@@ -9308,20 +9291,20 @@ fn Slot_bounce_0( this_80 : Slot_0) -> u32
 
 fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S610 : bool;
+    var _S603 : bool;
     if(Item_is_cell_0(this_81.item_2))
     {
-        _S610 = (Slot_bounce_0(this_81)) == u32(1);
+        _S603 = (Slot_bounce_0(this_81)) == u32(1);
     }
     else
     {
-        _S610 = false;
+        _S603 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S610)
+    if(_S603)
     {
-        var _S611 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
-        direction_32 = _S611;
+        var _S604 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
+        direction_32 = _S604;
     }
     else
     {
@@ -9338,20 +9321,20 @@ fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S612 : bool;
+    var _S605 : bool;
     if(Item_is_cell_0(this_82.item_2))
     {
-        _S612 = (Slot_bounce_0(this_82)) == u32(1);
+        _S605 = (Slot_bounce_0(this_82)) == u32(1);
     }
     else
     {
-        _S612 = false;
+        _S605 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S612)
+    if(_S605)
     {
-        var _S613 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
-        direction_33 = _S613;
+        var _S606 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
+        direction_33 = _S606;
     }
     else
     {
@@ -9373,16 +9356,16 @@ fn place_of_found_0( place_12 : u32) -> u32
 
 fn count_arrival_0( ray_39 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S614 : i32;
+    var _S607 : i32;
     if(has_arrived_0)
     {
-        _S614 = i32(65537);
+        _S607 = i32(65537);
     }
     else
     {
-        _S614 = i32(1);
+        _S607 = i32(1);
     }
-    var _S615 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S614));
+    var _S608 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S607));
     return;
 }
 
@@ -9406,16 +9389,16 @@ fn Slot_walk_0( this_84 : Slot_0)
     var end_5 : u32 = end_word_0(this_84.own_5);
     var pdf_19 : f32;
     var ray_40 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_5), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_5)))), (bitcast<f32>((end_5))));
-    var _S616 : i32;
+    var _S609 : i32;
     if(end_5 == u32(0))
     {
-        _S616 = i32(1);
+        _S609 = i32(1);
     }
     else
     {
-        _S616 = i32(0);
+        _S609 = i32(0);
     }
-    var turn_0 : u32 = u32(_S616);
+    var turn_0 : u32 = u32(_S609);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9425,14 +9408,14 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             break;
         }
-        var _S617 : bool = turn_0 == u32(1);
-        if(_S617)
+        var _S610 : bool = turn_0 == u32(1);
+        if(_S610)
         {
             ray_40 = Slot_ray_0(this_84, &(pdf_19));
         }
-        var _S618 : bool = turn_0 == u32(0);
+        var _S611 : bool = turn_0 == u32(0);
         var ends_anywhere_0 : bool;
-        if(_S618)
+        if(_S611)
         {
             if(counts_arrivals_0)
             {
@@ -9448,50 +9431,50 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             ends_anywhere_0 = false;
         }
-        var _S619 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
-        var _S620 : bool;
-        if(_S618)
+        var _S612 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
+        var _S613 : bool;
+        if(_S611)
         {
-            _S620 = leaves_0(_S619, true);
+            _S613 = leaves_0(_S612, true);
         }
         else
         {
-            _S620 = false;
+            _S613 = false;
         }
-        if(_S620)
+        if(_S613)
         {
             set_left_0(this_84.own_5);
             return;
         }
-        var _S621 : bool;
-        if(_S618)
+        var _S614 : bool;
+        if(_S611)
         {
-            _S621 = counts_arrivals_0;
+            _S614 = counts_arrivals_0;
         }
         else
         {
-            _S621 = false;
+            _S614 = false;
         }
-        var _S622 : bool;
-        if(_S621)
+        var _S615 : bool;
+        if(_S614)
         {
-            _S622 = (Slot_bounce_0(this_84)) == u32(1);
-        }
-        else
-        {
-            _S622 = false;
-        }
-        if(_S622)
-        {
-            count_arrival_0(ray_40, Hit_is_miss_0(_S619));
-        }
-        if(_S617)
-        {
-            keep_hit_0(this_84.own_5, _S619);
+            _S615 = (Slot_bounce_0(this_84)) == u32(1);
         }
         else
         {
-            if(!Hit_is_miss_0(_S619))
+            _S615 = false;
+        }
+        if(_S615)
+        {
+            count_arrival_0(ray_40, Hit_is_miss_0(_S612));
+        }
+        if(_S610)
+        {
+            keep_hit_0(this_84.own_5, _S612);
+        }
+        else
+        {
+            if(!Hit_is_miss_0(_S612))
             {
                 Slot_darken_0(this_84);
             }
@@ -9510,20 +9493,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var slot_14 : Slot_0;
-    var _S623 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S623;
+    var _S616 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S616;
     slot_14.own_5 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S624 : bool;
+    var _S617 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S624 = !is_over_0(slot_14.own_5);
+        _S617 = !is_over_0(slot_14.own_5);
     }
     else
     {
-        _S624 = false;
+        _S617 = false;
     }
-    if(_S624)
+    if(_S617)
     {
         weigh_candidates_0((slot_14.item_2.kind_2) == u32(1), slot_14.item_2.place_7, true);
         Slot_walk_0(slot_14);
@@ -9547,9 +9530,9 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S625 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S625);
-    sample_30.is_shown_0 = ((_S625 & (u32(1073741824)))) != u32(0);
+    var _S618 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S618);
+    sample_30.is_shown_0 = ((_S618 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9568,10 +9551,10 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_85.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_85.lent_0)))));
     }
-    var _S626 : f32 = at_22.path_0.pdf_1;
-    var _S627 : Ray_0 = Slot_ray_1(this_85, &(_S626));
-    at_22.path_0.pdf_1 = _S626;
-    at_22.ray_7 = _S627;
+    var _S619 : f32 = at_22.path_0.pdf_1;
+    var _S620 : Ray_0 = Slot_ray_1(this_85, &(_S619));
+    at_22.path_0.pdf_1 = _S619;
+    at_22.ray_7 = _S620;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_85)), Slot_face_0(this_85));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9581,7 +9564,7 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S627;
+    at_22.camera_ray_0 = _S620;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_85.item_2);
@@ -9592,7 +9575,7 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_85.item_2))
     {
         var rank_10 : u32;
-        var _S628 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
+        var _S621 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9618,10 +9601,10 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_86.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_86.lent_0)))));
     }
-    var _S629 : f32 = at_23.path_0.pdf_1;
-    var _S630 : Ray_0 = Slot_ray_1(this_86, &(_S629));
-    at_23.path_0.pdf_1 = _S629;
-    at_23.ray_7 = _S630;
+    var _S622 : f32 = at_23.path_0.pdf_1;
+    var _S623 : Ray_0 = Slot_ray_1(this_86, &(_S622));
+    at_23.path_0.pdf_1 = _S622;
+    at_23.ray_7 = _S623;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_86)), Slot_face_0(this_86));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9631,7 +9614,7 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S630;
+    at_23.camera_ray_0 = _S623;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_86.item_2);
@@ -9642,7 +9625,7 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     if(Item_is_cell_0(this_86.item_2))
     {
         var rank_11 : u32;
-        var _S631 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
+        var _S624 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9656,21 +9639,21 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S632 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S632;
+    var _S625 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S625;
     var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_5, at_24.ray_7);
     if(leaves_0(hit_27, false))
     {
         set_left_0(slot_15.own_5);
         return false;
     }
-    var _S633 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S633;
+    var _S626 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S626;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S634 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S634;
+        var _S627 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S627;
     }
     else
     {
@@ -9697,10 +9680,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S633;
-    var _S635 : Path_0 = at_24.path_0;
-    var _S636 : NextRays_0 = PathTracingOf_advance_2(&(_S635), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S635;
+    var emitted_6 : vec3<f32> = _S626;
+    var _S628 : Path_0 = at_24.path_0;
+    var _S629 : NextRays_0 = PathTracingOf_advance_2(&(_S628), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S628;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9717,34 +9700,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S637 : bool = thread_2 < u32(2);
-    if(_S637)
+    var _S630 : bool = thread_2 < u32(2);
+    if(_S630)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S638 : i32;
+    var _S631 : i32;
     if(goes_on_8)
     {
-        _S638 = i32(0);
+        _S631 = i32(0);
     }
     else
     {
-        _S638 = i32(1);
+        _S631 = i32(1);
     }
-    var list_1 : u32 = u32(_S638);
+    var list_1 : u32 = u32(_S631);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S639 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S639;
+        var _S632 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S632;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S637)
+    if(_S630)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9758,26 +9741,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S640 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S640;
+            var _S633 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S633;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S641 : bool;
+        var _S634 : bool;
         if(thread_2 == u32(0))
         {
-            _S641 = more_0 > u32(0);
+            _S634 = more_0 > u32(0);
         }
         else
         {
-            _S641 = false;
+            _S634 = false;
         }
-        if(_S641)
+        if(_S634)
         {
-            var _S642 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S635 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9814,10 +9797,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S643 : u32 = id_4.x;
-    var _S644 : Item_0 = item_of_0(_S643);
-    var item_7 : Item_0 = _S644;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S644, item_7.slot_0, item_7.slot_0);
+    var _S636 : u32 = id_4.x;
+    var _S637 : Item_0 = item_of_0(_S636);
+    var item_7 : Item_0 = _S637;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S637, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9829,38 +9812,38 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S645 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S645;
+        var _S638 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S638;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S646 : bool;
+    var _S639 : bool;
     if(item_7.traces_0)
     {
-        _S646 = !is_left_9(item_7.slot_0);
+        _S639 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S646 = false;
+        _S639 = false;
     }
-    item_7.traces_0 = _S646;
-    append_0(thread_3, _S643, item_7, goes_on_9);
+    item_7.traces_0 = _S639;
+    append_0(thread_3, _S636, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S647 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S647;
-    var _S648 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S648;
+    var _S640 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S640;
+    var _S641 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S641;
     if(slot_18.item_2.traces_0)
     {
-        var _S649 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S649;
+        var _S642 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S642;
         slot_18.own_5 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
@@ -9902,22 +9885,22 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S650 : bool;
+    var _S643 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S650 = is_lent_1;
+        _S643 = is_lent_1;
     }
     else
     {
-        _S650 = false;
+        _S643 = false;
     }
-    if(_S650)
+    if(_S643)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S651 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S651;
+        var _S644 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S644;
         var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_5, at_27.ray_7);
         if(leaves_0(hit_29, false))
         {
@@ -9925,8 +9908,8 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
         }
         else
         {
-            var _S652 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S652)
+            var _S645 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S645)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9949,16 +9932,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S653 : bool;
+    var _S646 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S653 = is_lent_2;
+        _S646 = is_lent_2;
     }
     else
     {
-        _S653 = false;
+        _S646 = false;
     }
-    if(_S653)
+    if(_S646)
     {
         Slot_walk_0(slot_20);
     }
@@ -9969,9 +9952,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_5;
-    var _S654 : bool = !walks_0;
+    var _S647 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S654;
+    var is_met_4 : bool = _S647;
     var hit_30 : Hit_0 = first_0;
     for(;;)
     {
@@ -9984,10 +9967,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S655 : Ray_0 = at_28.ray_7;
-            var _S656 : Hit_0 = WalkTracer_trace_0(&(_S655), at_28.is_shadow_ray_0);
-            at_28.ray_7 = _S655;
-            hit_30 = _S656;
+            var _S648 : Ray_0 = at_28.ray_7;
+            var _S649 : Hit_0 = WalkTracer_trace_0(&(_S648), at_28.is_shadow_ray_0);
+            at_28.ray_7 = _S648;
+            hit_30 = _S649;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -10006,8 +9989,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S657 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S657;
+            var _S650 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S650;
         }
         is_met_4 = false;
     }
@@ -10049,8 +10032,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S658 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S658, miss_0(), true, no_sample_0());
+        var _S651 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S651, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -10063,14 +10046,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S659 : bool = thread_4 == u32(0);
-    if(_S659)
+    var _S652 : bool = thread_4 == u32(0);
+    if(_S652)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S660 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S660);
+    var _S653 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S653);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -10083,22 +10066,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S661 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S661;
+        var _S654 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S654;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S659)
+    if(_S652)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S662 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S662;
+            var _S655 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S655;
         }
         else
         {
@@ -10107,14 +10090,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S663 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S656 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S660;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S653;
     }
     return;
 }

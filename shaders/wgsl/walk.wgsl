@@ -3386,12 +3386,13 @@ struct View_0
 
 fn reach_of_0( toward_0 : vec3<f32>,  half_1 : vec3<f32>) -> vec3<f32>
 {
-    return max(abs(toward_0), half_1 * vec3<f32>(0.75f));
+    return max(abs(toward_0), half_1);
 }
 
-fn length_bound_0( absolute_0 : vec3<f32>) -> f32
+fn reciprocal_guess_0( x_9 : f32) -> f32
 {
-    return (max_element_0(absolute_0) + (absolute_0.x + absolute_0.y + absolute_0.z)) * 0.5f;
+    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_9))))));
+    return guess_2 * (2.0f - x_9 * guess_2);
 }
 
 struct BySide_0
@@ -3408,23 +3409,16 @@ fn BySide_x24init_0( low_10 : vec3<f32>,  high_5 : vec3<f32>) -> BySide_0
     return _S231;
 }
 
-fn sent_by_side_0( node_6 : LightNode_0,  point_2 : vec3<f32>,  distance_2 : f32) -> BySide_0
+fn sent_by_side_0( node_6 : LightNode_0,  point_2 : vec3<f32>) -> BySide_0
 {
     var _S232 : vec3<f32> = vec3<f32>(0.0f);
-    var _S233 : vec3<f32> = vec3<f32>(distance_2);
-    return BySide_x24init_0(vec3<f32>(node_6.power_2[i32(0)], node_6.power_2[i32(2)], node_6.power_2[i32(4)]) * min(max(vector_of_0(node_6.max_2) - point_2, _S232), _S233), vec3<f32>(node_6.power_2[i32(1)], node_6.power_2[i32(3)], node_6.power_2[i32(5)]) * min(max(point_2 - vector_of_0(node_6.min_2), _S232), _S233));
+    return BySide_x24init_0(vec3<f32>(node_6.power_2[i32(0)], node_6.power_2[i32(2)], node_6.power_2[i32(4)]) * max(vector_of_0(node_6.max_2) - point_2, _S232), vec3<f32>(node_6.power_2[i32(1)], node_6.power_2[i32(3)], node_6.power_2[i32(5)]) * max(point_2 - vector_of_0(node_6.min_2), _S232));
 }
 
 fn BySide_sum_0( this_39 : BySide_0) -> f32
 {
     var axes_5 : vec3<f32> = this_39.low_9 + this_39.high_4;
     return axes_5.x + axes_5.y + axes_5.z;
-}
-
-fn reciprocal_guess_0( x_9 : f32) -> f32
-{
-    var guess_2 : f32 = (bitcast<f32>((u32(2129859011) - (bitcast<u32>((x_9))))));
-    return guess_2 * (2.0f - x_9 * guess_2);
 }
 
 fn nearest_of_0( toward_1 : vec3<f32>,  half_2 : vec3<f32>) -> vec3<f32>
@@ -3434,24 +3428,24 @@ fn nearest_of_0( toward_1 : vec3<f32>,  half_2 : vec3<f32>) -> vec3<f32>
 
 fn View_x24init_0( importance_1 : f32,  of_nearest_1 : f32,  is_far_3 : bool) -> View_0
 {
-    var _S234 : View_0;
-    _S234.importance_0 = importance_1;
-    _S234.of_nearest_0 = of_nearest_1;
-    _S234.is_far_2 = is_far_3;
-    return _S234;
+    var _S233 : View_0;
+    _S233.importance_0 = importance_1;
+    _S233.of_nearest_0 = of_nearest_1;
+    _S233.is_far_2 = is_far_3;
+    return _S233;
 }
 
 fn view_0( node_7 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 {
-    var _S235 : vec3<f32> = vector_of_0(node_7.max_2);
-    var _S236 : vec3<f32> = vector_of_0(node_7.min_2);
-    var _S237 : vec3<f32> = vec3<f32>(0.5f);
-    var half_3 : vec3<f32> = (_S235 - _S236) * _S237;
-    var toward_2 : vec3<f32> = (_S236 + _S235) * _S237 - receiver_3.point_0;
+    var _S234 : vec3<f32> = vector_of_0(node_7.max_2);
+    var _S235 : vec3<f32> = vector_of_0(node_7.min_2);
+    var _S236 : vec3<f32> = vec3<f32>(0.5f);
+    var half_3 : vec3<f32> = (_S234 - _S235) * _S236;
+    var toward_2 : vec3<f32> = (_S235 + _S234) * _S236 - receiver_3.point_0;
     var middle_2 : f32 = dot_product_0(toward_2, receiver_3.normal_2);
     var aside_0 : f32 = dot_product_0(half_3, abs(receiver_3.normal_2));
     var above_0 : f32 = with_slack_0(receiver_3, middle_2 + aside_0);
-    var far_2 : f32 = length_squared_0(toward_2);
+    var far_2 : f32 = length_squared_0(reach_of_0(toward_2, half_3));
     var near_2 : f32 = length_squared_0(half_3);
     var is_far_4 : bool;
     if((with_slack_0(receiver_3, middle_2 - aside_0)) > 0.0f)
@@ -3462,14 +3456,11 @@ fn view_0( node_7 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
     {
         is_far_4 = false;
     }
-    var reach_0 : vec3<f32> = reach_of_0(toward_2, half_3);
-    var distance_3 : f32 = length_bound_0(reach_0);
-    var sent_0 : f32 = BySide_sum_0(sent_by_side_0(node_7, receiver_3.point_0, distance_3));
-    var falloff_0 : f32 = reciprocal_guess_0(length_squared_0(reach_0));
+    var falloff_0 : f32 = reciprocal_guess_0(far_2);
     var cosines_0 : f32;
     if(above_0 > 0.0f)
     {
-        cosines_0 = sent_0 * min(above_0, distance_3) * falloff_0;
+        cosines_0 = BySide_sum_0(sent_by_side_0(node_7, receiver_3.point_0)) * above_0 * falloff_0;
     }
     else
     {
@@ -3480,16 +3471,16 @@ fn view_0( node_7 : LightNode_0,  receiver_3 : Receiver_0) -> View_0
 
 fn normal_or_zero_0( weight_2 : f32) -> f32
 {
-    var _S238 : f32;
+    var _S237 : f32;
     if(weight_2 < 1.17549435082228751e-38f)
     {
-        _S238 = 0.0f;
+        _S237 = 0.0f;
     }
     else
     {
-        _S238 = weight_2;
+        _S237 = weight_2;
     }
-    return _S238;
+    return _S237;
 }
 
 fn inverse_power_of_two_0( x_10 : f32) -> f32
@@ -3499,20 +3490,20 @@ fn inverse_power_of_two_0( x_10 : f32) -> f32
 
 fn weights_of_0( left_0 : f32,  right_2 : f32) -> vec2<f32>
 {
-    var _S239 : f32 = normal_or_zero_0(left_0);
-    var _S240 : f32 = normal_or_zero_0(right_2);
-    var unit_0 : f32 = inverse_power_of_two_0(_S239 + _S240);
-    return vec2<f32>(normal_or_zero_0(_S239 * unit_0), normal_or_zero_0(_S240 * unit_0));
+    var _S238 : f32 = normal_or_zero_0(left_0);
+    var _S239 : f32 = normal_or_zero_0(right_2);
+    var unit_0 : f32 = inverse_power_of_two_0(_S238 + _S239);
+    return vec2<f32>(normal_or_zero_0(_S238 * unit_0), normal_or_zero_0(_S239 * unit_0));
 }
 
 fn weights_of_views_0( left_1 : View_0,  right_3 : View_0) -> vec2<f32>
 {
     var near_3 : vec2<f32> = weights_of_0(left_1.of_nearest_0, right_3.of_nearest_0);
-    var _S241 : f32 = near_3.x;
-    var _S242 : f32 = near_3.y;
-    var of_near_0 : f32 = _S241 + _S242;
+    var _S240 : f32 = near_3.x;
+    var _S241 : f32 = near_3.y;
+    var of_near_0 : f32 = _S240 + _S241;
     var of_all_0 : f32 = (left_1.importance_0 + right_3.importance_0) * 0.5f;
-    return weights_of_0(left_1.importance_0 * of_near_0 + _S241 * of_all_0, right_3.importance_0 * of_near_0 + _S242 * of_all_0);
+    return weights_of_0(left_1.importance_0 * of_near_0 + _S240 * of_all_0, right_3.importance_0 * of_near_0 + _S241 * of_all_0);
 }
 
 fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, Descent_0>) -> bool
@@ -3521,7 +3512,7 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
     var at_1 : u32 = start_3;
     for(;;)
     {
-        var _S243 : LightNode_0 = node_8;
+        var _S242 : LightNode_0 = node_8;
         if((node_8.parent_0) != u32(4294967295))
         {
         }
@@ -3529,20 +3520,20 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
         {
             break;
         }
-        var parent_1 : LightNode_0 = top_light_node_0(_S243.parent_0);
-        var _S244 : u32 = _S243.parent_0 + u32(1);
-        var is_left_1 : bool = at_1 == _S244;
-        var _S245 : u32;
+        var parent_1 : LightNode_0 = top_light_node_0(_S242.parent_0);
+        var _S243 : u32 = _S242.parent_0 + u32(1);
+        var is_left_1 : bool = at_1 == _S243;
+        var _S244 : u32;
         if(is_left_1)
         {
-            _S245 = parent_1.index_19;
+            _S244 = parent_1.index_19;
         }
         else
         {
-            _S245 = _S244;
+            _S244 = _S243;
         }
         var own_2 : View_0 = view_0(node_8, receiver_4);
-        var other_2 : View_0 = view_0(top_light_node_0(_S245), receiver_4);
+        var other_2 : View_0 = view_0(top_light_node_0(_S244), receiver_4);
         var weights_0 : vec2<f32>;
         if(is_left_1)
         {
@@ -3552,26 +3543,26 @@ fn climb_0( receiver_4 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function, 
         {
             weights_0 = weights_of_views_0(other_2, own_2);
         }
-        var _S246 : f32 = weights_0.x;
-        var _S247 : f32 = weights_0.y;
-        var total_2 : f32 = _S246 + _S247;
+        var _S245 : f32 = weights_0.x;
+        var _S246 : f32 = weights_0.y;
+        var total_2 : f32 = _S245 + _S246;
         if(!(total_2 > 0.0f))
         {
             return false;
         }
-        var _S248 : f32;
+        var _S247 : f32;
         if(is_left_1)
         {
-            _S248 = _S246;
+            _S247 = _S245;
         }
         else
         {
-            _S248 = _S247;
+            _S247 = _S246;
         }
-        (*descent_0).weight_0 = (*descent_0).weight_0 * _S248;
+        (*descent_0).weight_0 = (*descent_0).weight_0 * _S247;
         (*descent_0).total_0 = (*descent_0).total_0 * total_2;
         node_8 = parent_1;
-        at_1 = _S243.parent_0;
+        at_1 = _S242.parent_0;
     }
     return ((*descent_0).weight_0) > 0.0f;
 }
@@ -3585,16 +3576,16 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
 {
     for(;;)
     {
-        var _S249 : bool;
+        var _S248 : bool;
         if(((*descent_1).count_3) == u32(0))
         {
-            _S249 = !(*descent_1).is_far_0;
+            _S248 = !(*descent_1).is_far_0;
         }
         else
         {
-            _S249 = false;
+            _S248 = false;
         }
-        if(_S249)
+        if(_S248)
         {
         }
         else
@@ -3608,29 +3599,29 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         var left_2 : LightNode_0 = TopLights_node_0((*descent_1).node_2 + u32(1));
         var right_4 : LightNode_0 = TopLights_node_0((*descent_1).index_17);
         var weights_1 : vec2<f32> = weights_of_views_0(view_0(left_2, receiver_5), view_0(right_4, receiver_5));
-        var _S250 : f32 = weights_1.x;
-        var _S251 : f32 = weights_1.y;
-        var total_3 : f32 = _S250 + _S251;
+        var _S249 : f32 = weights_1.x;
+        var _S250 : f32 = weights_1.y;
+        var total_3 : f32 = _S249 + _S250;
         if(!(total_3 > 0.0f))
         {
             return false;
         }
-        var _S252 : bool;
-        if(_S251 <= 0.0f)
+        var _S251 : bool;
+        if(_S250 <= 0.0f)
         {
-            _S252 = true;
+            _S251 = true;
         }
         else
         {
-            _S252 = ((*descent_1).choice_0 * total_3) < (_S250 * (*descent_1).weight_0);
+            _S251 = ((*descent_1).choice_0 * total_3) < (_S249 * (*descent_1).weight_0);
         }
         var is_left_2 : bool;
         if(aim_0.is_met_0)
         {
-            var _S253 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_1);
-            if((all((_S253 >= (vector_of_0(left_2.min_2))))))
+            var _S252 : vec3<f32> = vec3<f32>(aim_0.hit_3.voxel_1);
+            if((all((_S252 >= (vector_of_0(left_2.min_2))))))
             {
-                is_left_2 = (all((_S253 < (vector_of_0(left_2.max_2)))));
+                is_left_2 = (all((_S252 < (vector_of_0(left_2.max_2)))));
             }
             else
             {
@@ -3639,63 +3630,63 @@ fn descend_0( receiver_5 : Receiver_0,  aim_0 : Aim_0,  descent_1 : ptr<function
         }
         else
         {
-            is_left_2 = _S252;
+            is_left_2 = _S251;
         }
-        var _S254 : f32 = (*descent_1).choice_0 * total_3;
-        var _S255 : f32;
+        var _S253 : f32 = (*descent_1).choice_0 * total_3;
+        var _S254 : f32;
         if(is_left_2)
         {
-            _S255 = 0.0f;
+            _S254 = 0.0f;
         }
         else
         {
-            _S255 = _S250 * (*descent_1).weight_0;
+            _S254 = _S249 * (*descent_1).weight_0;
         }
-        (*descent_1).choice_0 = _S254 - _S255;
+        (*descent_1).choice_0 = _S253 - _S254;
+        var _S255 : u32;
+        if(is_left_2)
+        {
+            _S255 = (*descent_1).node_2 + u32(1);
+        }
+        else
+        {
+            _S255 = (*descent_1).index_17;
+        }
+        (*descent_1).node_2 = _S255;
         var _S256 : u32;
         if(is_left_2)
         {
-            _S256 = (*descent_1).node_2 + u32(1);
+            _S256 = left_2.index_19;
         }
         else
         {
-            _S256 = (*descent_1).index_17;
+            _S256 = right_4.index_19;
         }
-        (*descent_1).node_2 = _S256;
+        (*descent_1).index_17 = _S256;
         var _S257 : u32;
         if(is_left_2)
         {
-            _S257 = left_2.index_19;
+            _S257 = left_2.count_5;
         }
         else
         {
-            _S257 = right_4.index_19;
+            _S257 = right_4.count_5;
         }
-        (*descent_1).index_17 = _S257;
-        var _S258 : u32;
-        if(is_left_2)
-        {
-            _S258 = left_2.count_5;
-        }
-        else
-        {
-            _S258 = right_4.count_5;
-        }
-        (*descent_1).count_3 = _S258;
+        (*descent_1).count_3 = _S257;
         (*descent_1).is_far_0 = false;
-        var _S259 : f32;
+        var _S258 : f32;
         if(is_left_2)
         {
-            _S259 = _S250;
+            _S258 = _S249;
         }
         else
         {
-            _S259 = _S251;
+            _S258 = _S250;
         }
-        var _S260 : f32 = (*descent_1).weight_0 * _S259;
-        (*descent_1).weight_0 = _S260;
+        var _S259 : f32 = (*descent_1).weight_0 * _S258;
+        (*descent_1).weight_0 = _S259;
         (*descent_1).total_0 = (*descent_1).total_0 * total_3;
-        if(_S260 <= 0.0f)
+        if(_S259 <= 0.0f)
         {
             return false;
         }
@@ -3709,8 +3700,8 @@ fn in_grid_0( instance_9 : u32,  receiver_6 : Receiver_0) -> Receiver_0
     {
         return receiver_6;
     }
-    var _S261 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_9);
-    return Receiver_x24init_0(Transform_point_0(_S261.grid_from_world_0, receiver_6.point_0), normalize_vector_0(Transform_direction_0(_S261.grid_from_world_0, receiver_6.normal_2)));
+    var _S260 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(instance_9);
+    return Receiver_x24init_0(Transform_point_0(_S260.grid_from_world_0, receiver_6.point_0), normalize_vector_0(Transform_direction_0(_S260.grid_from_world_0, receiver_6.normal_2)));
 }
 
 fn lights_in_pages_0() -> bool
@@ -3732,8 +3723,8 @@ fn light_node_at_0( index_22 : u32) -> LightNode_0
 {
     if(!lights_in_pages_0())
     {
-        var _S262 : u32 = u32(4) * index_22;
-        return light_node_of_0(Rows_operatorx5Bx5D_get_5(_S262), Rows_operatorx5Bx5D_get_5(_S262 + u32(1)), Rows_operatorx5Bx5D_get_5(_S262 + u32(2)), Rows_operatorx5Bx5D_get_5(_S262 + u32(3)));
+        var _S261 : u32 = u32(4) * index_22;
+        return light_node_of_0(Rows_operatorx5Bx5D_get_5(_S261), Rows_operatorx5Bx5D_get_5(_S261 + u32(1)), Rows_operatorx5Bx5D_get_5(_S261 + u32(2)), Rows_operatorx5Bx5D_get_5(_S261 + u32(3)));
     }
     var at_2 : u32 = place_in_light_node_0(index_22, u32(0));
     var node_10 : LightNode_0;
@@ -3790,16 +3781,16 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 {
     for(;;)
     {
-        var _S263 : bool;
+        var _S262 : bool;
         if(((*descent_2).count_3) == u32(0))
         {
-            _S263 = !(*descent_2).is_far_0;
+            _S262 = !(*descent_2).is_far_0;
         }
         else
         {
-            _S263 = false;
+            _S262 = false;
         }
-        if(_S263)
+        if(_S262)
         {
         }
         else
@@ -3815,29 +3806,29 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         var of_left_0 : View_0 = view_0(left_3, receiver_7);
         var of_right_0 : View_0 = view_0(right_5, receiver_7);
         var weights_2 : vec2<f32> = weights_of_views_0(of_left_0, of_right_0);
-        var _S264 : f32 = weights_2.x;
-        var _S265 : f32 = weights_2.y;
-        var total_4 : f32 = _S264 + _S265;
+        var _S263 : f32 = weights_2.x;
+        var _S264 : f32 = weights_2.y;
+        var total_4 : f32 = _S263 + _S264;
         if(!(total_4 > 0.0f))
         {
             return false;
         }
-        var _S266 : bool;
-        if(_S265 <= 0.0f)
+        var _S265 : bool;
+        if(_S264 <= 0.0f)
         {
-            _S266 = true;
+            _S265 = true;
         }
         else
         {
-            _S266 = ((*descent_2).choice_0 * total_4) < (_S264 * (*descent_2).weight_0);
+            _S265 = ((*descent_2).choice_0 * total_4) < (_S263 * (*descent_2).weight_0);
         }
         var is_left_3 : bool;
         if(aim_1.is_met_0)
         {
-            var _S267 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_1);
-            if((all((_S267 >= (vector_of_0(left_3.min_2))))))
+            var _S266 : vec3<f32> = vec3<f32>(aim_1.hit_3.voxel_1);
+            if((all((_S266 >= (vector_of_0(left_3.min_2))))))
             {
-                is_left_3 = (all((_S267 < (vector_of_0(left_3.max_2)))));
+                is_left_3 = (all((_S266 < (vector_of_0(left_3.max_2)))));
             }
             else
             {
@@ -3846,72 +3837,72 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
         }
         else
         {
-            is_left_3 = _S266;
+            is_left_3 = _S265;
         }
-        var _S268 : f32 = (*descent_2).choice_0 * total_4;
-        var _S269 : f32;
+        var _S267 : f32 = (*descent_2).choice_0 * total_4;
+        var _S268 : f32;
         if(is_left_3)
         {
-            _S269 = 0.0f;
+            _S268 = 0.0f;
         }
         else
         {
-            _S269 = _S264 * (*descent_2).weight_0;
+            _S268 = _S263 * (*descent_2).weight_0;
         }
-        (*descent_2).choice_0 = _S268 - _S269;
+        (*descent_2).choice_0 = _S267 - _S268;
+        var _S269 : u32;
+        if(is_left_3)
+        {
+            _S269 = (*descent_2).node_2 + u32(1);
+        }
+        else
+        {
+            _S269 = (*descent_2).index_17;
+        }
+        (*descent_2).node_2 = _S269;
         var _S270 : u32;
         if(is_left_3)
         {
-            _S270 = (*descent_2).node_2 + u32(1);
+            _S270 = left_3.index_19;
         }
         else
         {
-            _S270 = (*descent_2).index_17;
+            _S270 = right_5.index_19;
         }
-        (*descent_2).node_2 = _S270;
+        (*descent_2).index_17 = _S270;
         var _S271 : u32;
         if(is_left_3)
         {
-            _S271 = left_3.index_19;
+            _S271 = left_3.count_5;
         }
         else
         {
-            _S271 = right_5.index_19;
+            _S271 = right_5.count_5;
         }
-        (*descent_2).index_17 = _S271;
-        var _S272 : u32;
+        (*descent_2).count_3 = _S271;
+        var _S272 : bool;
         if(is_left_3)
         {
-            _S272 = left_3.count_5;
+            _S272 = of_left_0.is_far_2;
         }
         else
         {
-            _S272 = right_5.count_5;
+            _S272 = of_right_0.is_far_2;
         }
-        (*descent_2).count_3 = _S272;
-        var _S273 : bool;
+        (*descent_2).is_far_0 = _S272;
+        var _S273 : f32;
         if(is_left_3)
         {
-            _S273 = of_left_0.is_far_2;
+            _S273 = _S263;
         }
         else
         {
-            _S273 = of_right_0.is_far_2;
+            _S273 = _S264;
         }
-        (*descent_2).is_far_0 = _S273;
-        var _S274 : f32;
-        if(is_left_3)
-        {
-            _S274 = _S264;
-        }
-        else
-        {
-            _S274 = _S265;
-        }
-        var _S275 : f32 = (*descent_2).weight_0 * _S274;
-        (*descent_2).weight_0 = _S275;
+        var _S274 : f32 = (*descent_2).weight_0 * _S273;
+        (*descent_2).weight_0 = _S274;
         (*descent_2).total_0 = (*descent_2).total_0 * total_4;
-        if(_S275 <= 0.0f)
+        if(_S274 <= 0.0f)
         {
             return false;
         }
@@ -3921,28 +3912,24 @@ fn descend_1( receiver_7 : Receiver_0,  aim_1 : Aim_0,  descent_2 : ptr<function
 
 fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  side_1 : ptr<function, u32>,  odds_0 : ptr<function, vec2<f32>>) -> bool
 {
-    var node_12 : LightNode_0 = light_node_at_0(way_3.node_2);
-    var _S276 : vec3<f32> = vector_of_0(node_12.max_2);
-    var _S277 : vec3<f32> = vector_of_0(node_12.min_2);
-    var _S278 : vec3<f32> = vec3<f32>(0.5f);
-    var sent_1 : BySide_0 = sent_by_side_0(node_12, point_3, length_bound_0(reach_of_0((_S277 + _S276) * _S278 - point_3, (_S276 - _S277) * _S278)));
-    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
+    var sent_0 : BySide_0 = sent_by_side_0(light_node_at_0(way_3.node_2), point_3);
+    var sum_3 : f32 = normal_or_zero_0(BySide_sum_0(sent_0));
     var unit_1 : f32 = inverse_power_of_two_0(sum_3);
     var total_5 : f32 = sum_3 * unit_1;
-    var _S279 : f32 = way_3.choice_0 * total_5;
-    var _S280 : u32 = (*side_1);
-    var share_1 : f32 = normal_or_zero_0(sent_1.low_9[u32(0)] * unit_1);
-    var _S281 : bool;
+    var _S275 : f32 = way_3.choice_0 * total_5;
+    var _S276 : u32 = (*side_1);
+    var share_1 : f32 = normal_or_zero_0(sent_0.low_9[u32(0)] * unit_1);
+    var _S277 : bool;
     if(is_met_2)
     {
-        _S281 = u32(0) == _S280;
+        _S277 = u32(0) == _S276;
     }
     else
     {
-        _S281 = share_1 > 0.0f;
+        _S277 = share_1 > 0.0f;
     }
     var chosen_2 : f32;
-    if(_S281)
+    if(_S277)
     {
         (*side_1) = u32(0);
         chosen_2 = share_1;
@@ -3951,145 +3938,145 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     {
         chosen_2 = 0.0f;
     }
-    var _S282 : bool = _S279 < (share_1 * way_3.weight_0);
-    var share_2 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_1);
+    var _S278 : bool = _S275 < (share_1 * way_3.weight_0);
+    var share_2 : f32 = normal_or_zero_0(sent_0.high_4[u32(0)] * unit_1);
     if(is_met_2)
     {
-        _S281 = u32(1) == _S280;
+        _S277 = u32(1) == _S276;
     }
     else
     {
         if(share_2 > 0.0f)
         {
-            _S281 = !_S282;
+            _S277 = !_S278;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
     }
-    if(_S281)
+    if(_S277)
     {
         (*side_1) = u32(1);
         chosen_2 = share_2;
     }
     var passed_0 : f32 = share_1 + share_2;
-    if(_S282)
+    if(_S278)
     {
-        _S281 = true;
+        _S277 = true;
     }
     else
     {
-        _S281 = _S279 < (passed_0 * way_3.weight_0);
+        _S277 = _S275 < (passed_0 * way_3.weight_0);
     }
-    var share_3 : f32 = normal_or_zero_0(sent_1.low_9[u32(1)] * unit_1);
-    var _S283 : bool;
+    var share_3 : f32 = normal_or_zero_0(sent_0.low_9[u32(1)] * unit_1);
+    var _S279 : bool;
     if(is_met_2)
     {
-        _S283 = u32(2) == _S280;
+        _S279 = u32(2) == _S276;
     }
     else
     {
         if(share_3 > 0.0f)
         {
-            _S283 = !_S281;
+            _S279 = !_S277;
         }
         else
         {
-            _S283 = false;
+            _S279 = false;
         }
     }
-    if(_S283)
+    if(_S279)
     {
         (*side_1) = u32(2);
         chosen_2 = share_3;
     }
     var passed_1 : f32 = passed_0 + share_3;
-    if(_S281)
+    if(_S277)
     {
-        _S281 = true;
+        _S277 = true;
     }
     else
     {
-        _S281 = _S279 < (passed_1 * way_3.weight_0);
+        _S277 = _S275 < (passed_1 * way_3.weight_0);
     }
-    var share_4 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_1);
+    var share_4 : f32 = normal_or_zero_0(sent_0.high_4[u32(1)] * unit_1);
     if(is_met_2)
     {
-        _S283 = u32(3) == _S280;
+        _S279 = u32(3) == _S276;
     }
     else
     {
         if(share_4 > 0.0f)
         {
-            _S283 = !_S281;
+            _S279 = !_S277;
         }
         else
         {
-            _S283 = false;
+            _S279 = false;
         }
     }
-    if(_S283)
+    if(_S279)
     {
         (*side_1) = u32(3);
         chosen_2 = share_4;
     }
     var passed_2 : f32 = passed_1 + share_4;
-    if(_S281)
+    if(_S277)
     {
-        _S281 = true;
+        _S277 = true;
     }
     else
     {
-        _S281 = _S279 < (passed_2 * way_3.weight_0);
+        _S277 = _S275 < (passed_2 * way_3.weight_0);
     }
-    var share_5 : f32 = normal_or_zero_0(sent_1.low_9[u32(2)] * unit_1);
+    var share_5 : f32 = normal_or_zero_0(sent_0.low_9[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S283 = u32(4) == _S280;
+        _S279 = u32(4) == _S276;
     }
     else
     {
         if(share_5 > 0.0f)
         {
-            _S283 = !_S281;
+            _S279 = !_S277;
         }
         else
         {
-            _S283 = false;
+            _S279 = false;
         }
     }
-    if(_S283)
+    if(_S279)
     {
         (*side_1) = u32(4);
         chosen_2 = share_5;
     }
     var passed_3 : f32 = passed_2 + share_5;
-    if(_S281)
+    if(_S277)
     {
-        _S281 = true;
+        _S277 = true;
     }
     else
     {
-        _S281 = _S279 < (passed_3 * way_3.weight_0);
+        _S277 = _S275 < (passed_3 * way_3.weight_0);
     }
-    var share_6 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_1);
+    var share_6 : f32 = normal_or_zero_0(sent_0.high_4[u32(2)] * unit_1);
     if(is_met_2)
     {
-        _S281 = u32(5) == _S280;
+        _S277 = u32(5) == _S276;
     }
     else
     {
         if(share_6 > 0.0f)
         {
-            _S281 = !_S281;
+            _S277 = !_S277;
         }
         else
         {
-            _S281 = false;
+            _S277 = false;
         }
     }
-    if(_S281)
+    if(_S277)
     {
         (*side_1) = u32(5);
         chosen_2 = share_6;
@@ -4097,13 +4084,13 @@ fn choose_side_0( point_3 : vec3<f32>,  is_met_2 : bool,  way_3 : Descent_0,  si
     (*odds_0) = vec2<f32>(way_3.weight_0 * chosen_2, way_3.total_0 * total_5);
     if(sum_3 > 0.0f)
     {
-        _S281 = ((*odds_0).x) > 0.0f;
+        _S277 = ((*odds_0).x) > 0.0f;
     }
     else
     {
-        _S281 = false;
+        _S277 = false;
     }
-    return _S281;
+    return _S277;
 }
 
 fn light_node_word_0( index_24 : u32,  word_6 : u32) -> u32
@@ -4113,16 +4100,16 @@ fn light_node_word_0( index_24 : u32,  word_6 : u32) -> u32
 
 fn light_power_at_0( index_25 : u32,  side_2 : u32) -> f32
 {
-    var _S284 : u32;
+    var _S280 : u32;
     if(lights_in_pages_0())
     {
-        _S284 = cells_0[place_in_light_node_0(index_25, u32(8) + side_2)];
+        _S280 = cells_0[place_in_light_node_0(index_25, u32(8) + side_2)];
     }
     else
     {
-        _S284 = light_node_word_0(index_25, u32(8) + side_2);
+        _S280 = light_node_word_0(index_25, u32(8) + side_2);
     }
-    return (bitcast<f32>((_S284)));
+    return (bitcast<f32>((_S280)));
 }
 
 fn component_0( vector_5 : vec3<f32>,  axis_5 : u32) -> f32
@@ -4193,57 +4180,57 @@ fn emitter_word_0( index_27 : u32,  word_8 : u32) -> u32
 
 fn emitter_faces_at_0( index_28 : u32) -> u32
 {
-    var _S285 : u32;
+    var _S281 : u32;
     if(lights_in_pages_0())
     {
-        _S285 = cells_0[place_in_emitter_0(index_28, u32(4))];
+        _S281 = cells_0[place_in_emitter_0(index_28, u32(4))];
     }
     else
     {
-        _S285 = emitter_word_0(index_28, u32(4));
+        _S281 = emitter_word_0(index_28, u32(4));
     }
-    return _S285;
+    return _S281;
 }
 
 fn emitter_luminance_at_0( index_29 : u32) -> f32
 {
-    var _S286 : f32;
+    var _S282 : f32;
     if(lights_in_pages_0())
     {
-        _S286 = (bitcast<f32>((cells_0[place_in_emitter_0(index_29, u32(6))])));
+        _S282 = (bitcast<f32>((cells_0[place_in_emitter_0(index_29, u32(6))])));
     }
     else
     {
-        _S286 = (bitcast<f32>((emitter_word_0(index_29, u32(6)))));
+        _S282 = (bitcast<f32>((emitter_word_0(index_29, u32(6)))));
     }
-    return _S286;
+    return _S282;
 }
 
 fn Emitter_x24init_0( voxel_20 : array<i32, i32(3)>,  grid_10 : u32,  faces_1 : u32,  material_6 : u32,  luminance_5 : f32,  leaf_1 : u32) -> Emitter_0
 {
-    var _S287 : Emitter_0;
-    _S287.voxel_19 = voxel_20;
-    _S287.grid_9 = grid_10;
-    _S287.faces_0 = faces_1;
-    _S287.material_5 = material_6;
-    _S287.luminance_4 = luminance_5;
-    _S287.leaf_0 = leaf_1;
-    return _S287;
+    var _S283 : Emitter_0;
+    _S283.voxel_19 = voxel_20;
+    _S283.grid_9 = grid_10;
+    _S283.faces_0 = faces_1;
+    _S283.material_5 = material_6;
+    _S283.luminance_4 = luminance_5;
+    _S283.leaf_0 = leaf_1;
+    return _S283;
 }
 
 fn emitter_at_0( index_30 : u32) -> Emitter_0
 {
     if(!lights_in_pages_0())
     {
-        var _S288 : u32 = u32(2) * index_30;
-        var _S289 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S288);
-        var _S290 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S288 + u32(1));
-        var _S291 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S289.x), i32(_S289.y), i32(_S289.z) );
-        return Emitter_x24init_0(_S291, _S289.w, _S290.x, _S290.y, (bitcast<f32>((_S290.z))), _S290.w);
+        var _S284 : u32 = u32(2) * index_30;
+        var _S285 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S284);
+        var _S286 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S284 + u32(1));
+        var _S287 : array<i32, i32(3)> = array<i32, i32(3)>( i32(_S285.x), i32(_S285.y), i32(_S285.z) );
+        return Emitter_x24init_0(_S287, _S285.w, _S286.x, _S286.y, (bitcast<f32>((_S286.z))), _S286.w);
     }
     var at_4 : u32 = place_in_emitter_0(index_30, u32(0));
-    var _S292 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
-    return Emitter_x24init_0(_S292, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
+    var _S288 : array<i32, i32(3)> = array<i32, i32(3)>( i32(cells_0[at_4]), i32(cells_0[at_4 + u32(1)]), i32(cells_0[at_4 + u32(2)]) );
+    return Emitter_x24init_0(_S288, cells_0[at_4 + u32(3)], cells_0[at_4 + u32(4)], cells_0[at_4 + u32(5)], (bitcast<f32>((cells_0[at_4 + u32(6)]))), cells_0[at_4 + u32(7)]);
 }
 
 fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Emitter_0
@@ -4251,9 +4238,9 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
     var is_found_4 : bool;
     var is_left_4 : bool;
     var count_6 : u32 = way_4.count_3;
-    var node_13 : u32 = way_4.node_2;
+    var node_12 : u32 = way_4.node_2;
     var index_31 : u32 = way_4.index_17;
-    var _S293 : f32 = threshold_1;
+    var _S289 : f32 = threshold_1;
     for(;;)
     {
         if(count_6 == u32(0))
@@ -4271,9 +4258,9 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         {
             break;
         }
-        var left_4 : u32 = node_13 + u32(1);
+        var left_4 : u32 = node_12 + u32(1);
         var power_left_0 : f32 = light_power_at_0(left_4, side_3);
-        if(_S293 < power_left_0)
+        if(_S289 < power_left_0)
         {
             is_left_4 = true;
         }
@@ -4286,20 +4273,20 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         else
         {
-            _S293 = _S293 - power_left_0;
+            _S289 = _S289 - power_left_0;
         }
         if(is_left_4)
         {
-            node_13 = left_4;
+            node_12 = left_4;
         }
         else
         {
-            node_13 = index_31;
+            node_12 = index_31;
         }
-        var below_2 : vec2<u32> = below_light_node_0(node_13);
-        var _S294 : u32 = below_2.x;
+        var below_2 : vec2<u32> = below_light_node_0(node_12);
+        var _S290 : u32 = below_2.x;
         count_6 = below_2.y;
-        index_31 = _S294;
+        index_31 = _S290;
     }
     is_found_4 = false;
     var chosen_3 : u32 = index_31;
@@ -4323,10 +4310,10 @@ fn choose_emitter_0( way_4 : Descent_0,  side_3 : u32,  threshold_1 : f32) -> Em
         }
         if((((((emitter_faces_at_0(at_5)) >> (side_3))) & (u32(1)))) != u32(0))
         {
-            var _S295 : f32 = _S293 - emitter_luminance_at_0(at_5);
-            is_found_4 = _S293 < (emitter_luminance_at_0(at_5));
+            var _S291 : f32 = _S289 - emitter_luminance_at_0(at_5);
+            is_found_4 = _S289 < (emitter_luminance_at_0(at_5));
             chosen_3 = at_5;
-            _S293 = _S295;
+            _S289 = _S291;
         }
         at_5 = at_5 + u32(1);
     }
@@ -4363,19 +4350,19 @@ fn margin_of_0( translation_1 : vec3<f32>,  low_12 : vec3<f32>) -> f32
 fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_13 : vec3<f32>,  face_5 : u32,  point_4 : vec3<f32>) -> vec3<f32>
 {
     var margin_0 : f32 = margin_of_0(translation_2, low_13);
-    var _S296 : vec3<f32> = vec3<f32>(margin_0);
-    var moved_0 : vec3<f32> = min(max(point_4, low_13 + _S296), low_13 + vec3<f32>((1.0f - margin_0)));
-    var _S297 : bool = face_5 < u32(2);
-    var _S298 : bool;
+    var _S292 : vec3<f32> = vec3<f32>(margin_0);
+    var moved_0 : vec3<f32> = min(max(point_4, low_13 + _S292), low_13 + vec3<f32>((1.0f - margin_0)));
+    var _S293 : bool = face_5 < u32(2);
+    var _S294 : bool;
     if(face_5 >= u32(2))
     {
-        _S298 = face_5 < u32(4);
+        _S294 = face_5 < u32(4);
     }
     else
     {
-        _S298 = false;
+        _S294 = false;
     }
-    var is_axis_2 : vec3<bool> = vec3<bool>(_S297, _S298, face_5 >= u32(4));
+    var is_axis_2 : vec3<bool> = vec3<bool>(_S293, _S294, face_5 >= u32(4));
     var outside_0 : vec3<f32>;
     if(((face_5 & (u32(1)))) == u32(1))
     {
@@ -4383,7 +4370,7 @@ fn offset_ray_origin_0( translation_2 : vec3<f32>,  low_13 : vec3<f32>,  face_5 
     }
     else
     {
-        outside_0 = low_13 - _S296;
+        outside_0 = low_13 - _S292;
     }
     return select(moved_0, outside_0, is_axis_2);
 }
@@ -4397,45 +4384,45 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0, 
     }
     var descent_3 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_8.x, false);
     Descent_at_0(&(descent_3), u32(0));
-    var _S299 : bool;
+    var _S295 : bool;
     if(!IS_SINGLE_0)
     {
-        _S299 = aim_2.is_met_0;
+        _S295 = aim_2.is_met_0;
     }
     else
     {
-        _S299 = false;
+        _S295 = false;
     }
-    if(_S299)
+    if(_S295)
     {
-        var _S300 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_3.instance_1);
-        if((_S300.light_leaf_0) == u32(4294967295))
+        var _S296 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_2.hit_3.instance_1);
+        if((_S296.light_leaf_0) == u32(4294967295))
         {
-            _S299 = true;
+            _S295 = true;
         }
         else
         {
-            var _S301 : bool = climb_0(receiver_8, _S300.light_leaf_0, &(descent_3));
-            _S299 = !_S301;
+            var _S297 : bool = climb_0(receiver_8, _S296.light_leaf_0, &(descent_3));
+            _S295 = !_S297;
         }
-        if(_S299)
+        if(_S295)
         {
             return false;
         }
-        Descent_at_0(&(descent_3), _S300.light_leaf_0);
+        Descent_at_0(&(descent_3), _S296.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S302 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
-            _S299 = !_S302;
+            var _S298 : bool = descend_0(receiver_8, by_chance_0(), &(descent_3));
+            _S295 = !_S298;
         }
         else
         {
-            _S299 = false;
+            _S295 = false;
         }
-        if(_S299)
+        if(_S295)
         {
             return false;
         }
@@ -4443,35 +4430,35 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0, 
     var chosen_instance_0 : u32 = descent_3.index_17;
     var local_2 : Receiver_0 = in_grid_0(descent_3.index_17, receiver_8);
     Descent_at_1(&(descent_3), top_light_node_0(descent_3.node_2).root_1);
-    var _S303 : bool = descend_1(local_2, aim_2, &(descent_3));
-    if(!_S303)
+    var _S299 : bool = descend_1(local_2, aim_2, &(descent_3));
+    if(!_S299)
     {
         return false;
     }
     var side_4 : u32 = aim_2.hit_3.face_1;
     var odds_2 : vec2<f32>;
-    var _S304 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
-    if(!_S304)
+    var _S300 : bool = choose_side_0(local_2.point_0, aim_2.is_met_0, descent_3, &(side_4), &(odds_2));
+    if(!_S300)
     {
         return false;
     }
     var power_4 : f32 = light_power_at_0(descent_3.node_2, side_4);
-    var _S305 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
+    var _S301 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_0);
     if(aim_2.is_met_0)
     {
-        var _S306 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S305.grid_from_world_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
-        (*sample_8).pdf_3 = _S306;
-        return _S306 > 0.0f;
+        var _S302 : f32 = density_0(odds_2, aim_2.luminance_1, power_4, Transform_direction_0(_S301.grid_from_world_0, aim_2.direction_22) * vec3<f32>(aim_2.hit_3.t_1), side_4);
+        (*sample_8).pdf_3 = _S302;
+        return _S302 > 0.0f;
     }
     var emitter_1 : Emitter_0 = choose_emitter_0(descent_3, side_4, u_8.y * power_4);
-    var _S307 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_19));
-    var on_face_0 : vec3<f32> = point_of_face_0(_S307, side_4, u_8.z, u_8.w);
+    var _S303 : vec3<f32> = vec3<f32>(cell_of_0(emitter_1.voxel_19));
+    var on_face_0 : vec3<f32> = point_of_face_0(_S303, side_4, u_8.z, u_8.w);
     var pdf_8 : f32 = density_0(odds_2, emitter_1.luminance_4, power_4, on_face_0 - local_2.point_0, side_4);
     if(pdf_8 < 0.0f)
     {
         return false;
     }
-    var direction_27 : vec3<f32> = Transform_point_0(_S305.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S305.grid_from_world_0.translation_0), _S307, side_4, on_face_0)) - receiver_8.point_0;
+    var direction_27 : vec3<f32> = Transform_point_0(_S301.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S301.grid_from_world_0.translation_0), _S303, side_4, on_face_0)) - receiver_8.point_0;
     var cos_theta_4 : f32 = with_slack_0(receiver_8, divide_0(dot_product_0(receiver_8.normal_2, direction_27), square_root_0(length_squared_0(direction_27))));
     (*sample_8) = LightSample_x24init_0(Ray_x24init_0(receiver_8.point_0, 0.0f, direction_27, 1.0f), cos_theta_4, emitted_0(material_of_index_0(emitter_1.material_5)), pdf_8);
     return cos_theta_4 > 0.0f;
@@ -4479,8 +4466,8 @@ fn sample_emitter_0( receiver_8 : Receiver_0,  u_8 : vec4<f32>,  aim_2 : Aim_0, 
 
 fn EmitterTree_sample_0( receiver_9 : Receiver_0,  u_9 : vec4<f32>,  aim_3 : Aim_0,  sample_9 : ptr<function, LightSample_0>) -> bool
 {
-    var _S308 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
-    return _S308;
+    var _S304 : bool = sample_emitter_0(receiver_9, u_9, aim_3, &((*sample_9)));
+    return _S304;
 }
 
 fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 : vec4<f32>,  aim_4 : Aim_0,  sample_10 : ptr<function, LightSample_0>) -> bool
@@ -4504,9 +4491,9 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 
     }
     if(is_found_5)
     {
-        var _S309 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
+        var _S305 : bool = SunDisc_sample_0(receiver_10, u_10, &((*sample_10)));
         (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sun_0;
-        is_found_5 = _S309;
+        is_found_5 = _S305;
     }
     else
     {
@@ -4528,15 +4515,15 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 
         }
         if(is_found_5)
         {
-            var _S310 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
+            var _S306 : bool = Sky_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_10.yzw), &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.sky_1;
-            is_found_5 = _S310;
+            is_found_5 = _S306;
         }
         else
         {
-            var _S311 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
+            var _S307 : bool = EmitterTree_sample_0(receiver_10, vec4<f32>(min(divide_0(u_10.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_10.yzw), aim_4, &((*sample_10)));
             (*sample_10).pdf_3 = (*sample_10).pdf_3 * selection_4.emitters_0;
-            is_found_5 = _S311;
+            is_found_5 = _S307;
         }
     }
     return is_found_5;
@@ -4544,16 +4531,16 @@ fn Lights_sample_0( receiver_10 : Receiver_0,  selection_4 : Selection_0,  u_10 
 
 fn ior_of_0( inside_4 : Inside_0) -> f32
 {
-    var _S312 : f32;
+    var _S308 : f32;
     if(Inside_is_in_0(inside_4))
     {
-        _S312 = material_of_index_0(inside_4.material_0).ior_0;
+        _S308 = material_of_index_0(inside_4.material_0).ior_0;
     }
     else
     {
-        _S312 = 1.0f;
+        _S308 = 1.0f;
     }
-    return _S312;
+    return _S308;
 }
 
 struct Microfacets_0
@@ -4572,20 +4559,20 @@ struct MaterialBsdf_0
 
 fn Microfacets_x24init_0( alpha_1 : f32) -> Microfacets_0
 {
-    var _S313 : Microfacets_0;
-    _S313.alpha_0 = alpha_1;
-    return _S313;
+    var _S309 : Microfacets_0;
+    _S309.alpha_0 = alpha_1;
+    return _S309;
 }
 
 fn MaterialBsdf_x24init_0( kind_1 : u32,  color_2 : vec3<f32>,  specular_2 : f32,  eta_1 : f32,  facets_1 : Microfacets_0) -> MaterialBsdf_0
 {
-    var _S314 : MaterialBsdf_0;
-    _S314.kind_0 = kind_1;
-    _S314.color_1 = color_2;
-    _S314.specular_1 = specular_2;
-    _S314.eta_0 = eta_1;
-    _S314.facets_0 = facets_1;
-    return _S314;
+    var _S310 : MaterialBsdf_0;
+    _S310.kind_0 = kind_1;
+    _S310.color_1 = color_2;
+    _S310.specular_1 = specular_2;
+    _S310.eta_0 = eta_1;
+    _S310.facets_0 = facets_1;
+    return _S310;
 }
 
 fn bsdf_of_0( material_7 : PackedMaterial_0,  ior_1 : f32,  choice_2 : ptr<function, f32>) -> MaterialBsdf_0
@@ -4604,17 +4591,17 @@ fn roulette_0( event_2 : u32,  scattered_2 : vec3<f32>,  u_11 : f32) -> f32
     {
         return 1.0f;
     }
-    var _S315 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
-    var _S316 : f32;
-    if(u_11 < _S315)
+    var _S311 : f32 = min(max_element_0(scattered_2), 0.94999998807907104f);
+    var _S312 : f32;
+    if(u_11 < _S311)
     {
-        _S316 = divide_0(1.0f, _S315);
+        _S312 = divide_0(1.0f, _S311);
     }
     else
     {
-        _S316 = 0.0f;
+        _S312 = 0.0f;
     }
-    return _S316;
+    return _S312;
 }
 
 struct Surface_0
@@ -4636,32 +4623,32 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = -1.0f;
     }
-    var _S317 : f32;
+    var _S313 : f32;
     if(face_7 < u32(2))
     {
-        _S317 = away_1;
+        _S313 = away_1;
     }
     else
     {
-        _S317 = 0.0f;
+        _S313 = 0.0f;
     }
-    var _S318 : bool;
+    var _S314 : bool;
     if(face_7 >= u32(2))
     {
-        _S318 = face_7 < u32(4);
+        _S314 = face_7 < u32(4);
     }
     else
     {
-        _S318 = false;
+        _S314 = false;
     }
-    var _S319 : f32;
-    if(_S318)
+    var _S315 : f32;
+    if(_S314)
     {
-        _S319 = away_1;
+        _S315 = away_1;
     }
     else
     {
-        _S319 = 0.0f;
+        _S315 = 0.0f;
     }
     if(face_7 >= u32(4))
     {
@@ -4670,7 +4657,7 @@ fn face_normal_0( face_7 : u32) -> vec3<f32>
     {
         away_1 = 0.0f;
     }
-    return vec3<f32>(_S317, _S319, away_1);
+    return vec3<f32>(_S313, _S315, away_1);
 }
 
 fn world_normal_0( instance_11 : PackedInstance_0,  face_8 : u32) -> vec3<f32>
@@ -4681,17 +4668,17 @@ fn world_normal_0( instance_11 : PackedInstance_0,  face_8 : u32) -> vec3<f32>
 fn surface_of_0( ray_17 : Ray_0,  hit_5 : Hit_0) -> Surface_0
 {
     var surface_0 : Surface_0;
-    var _S320 : vec3<f32> = vec3<f32>(hit_5.voxel_1);
+    var _S316 : vec3<f32> = vec3<f32>(hit_5.voxel_1);
     if(IS_SINGLE_0)
     {
-        surface_0.origin_13 = offset_ray_origin_0(vec3<f32>(0.0f), _S320, hit_5.face_1, ray_17.origin_1 + ray_17.direction_1 * vec3<f32>(hit_5.t_1));
+        surface_0.origin_13 = offset_ray_origin_0(vec3<f32>(0.0f), _S316, hit_5.face_1, ray_17.origin_1 + ray_17.direction_1 * vec3<f32>(hit_5.t_1));
         surface_0.normal_4 = face_normal_0(hit_5.face_1);
     }
     else
     {
-        var _S321 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_5.instance_1);
-        surface_0.origin_13 = Transform_point_0(_S321.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S321.grid_from_world_0.translation_0), _S320, hit_5.face_1, Transform_point_0(_S321.grid_from_world_0, ray_17.origin_1) + Transform_direction_0(_S321.grid_from_world_0, ray_17.direction_1) * vec3<f32>(hit_5.t_1)));
-        surface_0.normal_4 = world_normal_0(_S321, hit_5.face_1);
+        var _S317 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(hit_5.instance_1);
+        surface_0.origin_13 = Transform_point_0(_S317.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S317.grid_from_world_0.translation_0), _S316, hit_5.face_1, Transform_point_0(_S317.grid_from_world_0, ray_17.origin_1) + Transform_direction_0(_S317.grid_from_world_0, ray_17.direction_1) * vec3<f32>(hit_5.t_1)));
+        surface_0.normal_4 = world_normal_0(_S317, hit_5.face_1);
     }
     surface_0.face_6 = hit_5.face_1;
     surface_0.instance_10 = hit_5.instance_1;
@@ -4745,8 +4732,8 @@ fn clamp_to_voxel_0( translation_3 : vec3<f32>,  low_14 : vec3<f32>,  point_5 : 
 
 fn Inside_point_0( this_43 : Inside_0,  ray_18 : Ray_0,  t_11 : f32) -> vec3<f32>
 {
-    var _S322 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_43.instance_2);
-    return Transform_point_0(_S322.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S322.grid_from_world_0.translation_0), vec3<f32>(this_43.voxel_2), Transform_point_0(_S322.grid_from_world_0, ray_18.origin_1) + Transform_direction_0(_S322.grid_from_world_0, ray_18.direction_1) * vec3<f32>(t_11)));
+    var _S318 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(this_43.instance_2);
+    return Transform_point_0(_S318.world_from_grid_0, clamp_to_voxel_0(vector_of_0(_S318.grid_from_world_0.translation_0), vec3<f32>(this_43.voxel_2), Transform_point_0(_S318.grid_from_world_0, ray_18.origin_1) + Transform_direction_0(_S318.grid_from_world_0, ray_18.direction_1) * vec3<f32>(t_11)));
 }
 
 fn Lights_sun_cosine_0( receiver_11 : Receiver_0) -> f32
@@ -4815,8 +4802,8 @@ fn Lights_selection_0( receiver_16 : Receiver_0) -> Selection_0
         return Selection_x24init_0(sun_2, 0.0f, 1.0f - sun_2);
     }
     var sky_3 : f32 = Lights_sky_probability_0(receiver_16);
-    var _S323 : f32 = 1.0f - sky_3;
-    return Selection_x24init_0(sun_2 * _S323, sky_3, (1.0f - sun_2) * _S323);
+    var _S319 : f32 = 1.0f - sky_3;
+    return Selection_x24init_0(sun_2 * _S319, sky_3, (1.0f - sun_2) * _S319);
 }
 
 fn MaterialBsdf_is_delta_0( this_44 : MaterialBsdf_0) -> bool
@@ -4842,9 +4829,9 @@ struct Diffuse_0
 
 fn Diffuse_x24init_0( reflectance_1 : vec3<f32>) -> Diffuse_0
 {
-    var _S324 : Diffuse_0;
-    _S324.reflectance_0 = reflectance_1;
-    return _S324;
+    var _S320 : Diffuse_0;
+    _S320.reflectance_0 = reflectance_1;
+    return _S320;
 }
 
 fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
@@ -4854,10 +4841,10 @@ fn cosine_hemisphere_pdf_0( cos_theta_6 : f32) -> f32
 
 fn BsdfEval_x24init_0( weight_4 : vec3<f32>,  pdf_10 : f32) -> BsdfEval_0
 {
-    var _S325 : BsdfEval_0;
-    _S325.weight_3 = weight_4;
-    _S325.pdf_9 = pdf_10;
-    return _S325;
+    var _S321 : BsdfEval_0;
+    _S321.weight_3 = weight_4;
+    _S321.pdf_9 = pdf_10;
+    return _S321;
 }
 
 fn Diffuse_eval_0( this_46 : Diffuse_0,  wo_0 : vec3<f32>,  wi_0 : vec3<f32>) -> BsdfEval_0
@@ -4887,12 +4874,12 @@ fn cosine_hemisphere_0( u_12 : f32,  v_7 : f32) -> vec3<f32>
 
 fn BsdfSample_x24init_0( wi_3 : vec3<f32>,  weight_6 : vec3<f32>,  pdf_12 : f32,  is_delta_1 : bool) -> BsdfSample_0
 {
-    var _S326 : BsdfSample_0;
-    _S326.wi_2 = wi_3;
-    _S326.weight_5 = weight_6;
-    _S326.pdf_11 = pdf_12;
-    _S326.is_delta_0 = is_delta_1;
-    return _S326;
+    var _S322 : BsdfSample_0;
+    _S322.wi_2 = wi_3;
+    _S322.weight_5 = weight_6;
+    _S322.pdf_11 = pdf_12;
+    _S322.is_delta_0 = is_delta_1;
+    return _S322;
 }
 
 fn Diffuse_sample_0( this_48 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>,  sample_11 : ptr<function, BsdfSample_0>) -> bool
@@ -4904,8 +4891,8 @@ fn Diffuse_sample_0( this_48 : Diffuse_0,  wo_2 : vec3<f32>,  u_13 : vec3<f32>, 
 
 fn MaterialBsdf_sample_0( this_49 : MaterialBsdf_0,  wo_3 : vec3<f32>,  u_14 : vec3<f32>,  sample_12 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S327 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_49.color_1), wo_3, u_14, &((*sample_12)));
-    return _S327;
+    var _S323 : bool = Diffuse_sample_0(Diffuse_x24init_0(this_49.color_1), wo_3, u_14, &((*sample_12)));
+    return _S323;
 }
 
 fn Surface_world_direction_0( this_50 : Surface_0,  local_4 : vec3<f32>) -> vec3<f32>
@@ -4919,23 +4906,23 @@ fn Surface_world_direction_0( this_50 : Surface_0,  local_4 : vec3<f32>) -> vec3
     {
         away_2 = - local_4.z;
     }
-    var _S328 : f32 = local_4.x;
-    var _S329 : f32 = local_4.y;
-    var _S330 : vec3<f32> = vec3<f32>(_S328, _S329, away_2);
+    var _S324 : f32 = local_4.x;
+    var _S325 : f32 = local_4.y;
+    var _S326 : vec3<f32> = vec3<f32>(_S324, _S325, away_2);
     var in_grid_3 : vec3<f32>;
     if((this_50.face_6) < u32(2))
     {
-        in_grid_3 = vec3<f32>(away_2, _S328, _S329);
+        in_grid_3 = vec3<f32>(away_2, _S324, _S325);
     }
     else
     {
         if((this_50.face_6) < u32(4))
         {
-            in_grid_3 = vec3<f32>(_S329, away_2, _S328);
+            in_grid_3 = vec3<f32>(_S325, away_2, _S324);
         }
         else
         {
-            in_grid_3 = _S330;
+            in_grid_3 = _S326;
         }
     }
     if(!IS_SINGLE_0)
@@ -5036,7 +5023,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     var u_15 : vec4<f32> = Sampler_stratified_0((*path_5).sampler_0, Path_dimension_scatter_0((*path_5)));
     var material_8 : PackedMaterial_0 = material_met_0((*path_5), hit_6, beyond_3);
-    var _S331 : vec3<f32> = vec3<f32>(0.0f);
+    var _S327 : vec3<f32> = vec3<f32>(0.0f);
     var le_1 : vec3<f32>;
     if(!is_counted_0)
     {
@@ -5044,12 +5031,12 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     else
     {
-        le_1 = _S331;
+        le_1 = _S327;
     }
     var is_lit_0 : bool = (max_element_0(le_1)) > 0.0f;
     var met_0 : Aim_0 = Aim_x24init_0(true, ray_19.direction_1, hit_6, luminance_0(vector_of_0(material_8.emission_0)));
-    var _S332 : bool = weighs_apart_0();
-    if(_S332)
+    var _S328 : bool = weighs_apart_0();
+    if(_S328)
     {
         is_weighed_0 = is_lit_0;
     }
@@ -5077,7 +5064,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     if(is_chosen_0)
     {
         var light_2 : LightSample_0 = no_light_0();
-        if(!_S332)
+        if(!_S328)
         {
             is_chosen_0 = ((*path_5).pdf_1) > 0.0f;
         }
@@ -5087,15 +5074,15 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         if(is_chosen_0)
         {
-            var _S333 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_5), last_6), vec4<f32>(0.0f), met_0, &(light_2));
-            is_chosen_0 = _S333;
+            var _S329 : bool = Lights_sample_0(last_6, Path_selection_at_0((*path_5), last_6), vec4<f32>(0.0f), met_0, &(light_2));
+            is_chosen_0 = _S329;
         }
         else
         {
             is_chosen_0 = false;
         }
-        var _S334 : vec3<f32> = (*path_5).beta_0 * le_1;
-        var _S335 : f32 = (*path_5).pdf_1;
+        var _S330 : vec3<f32> = (*path_5).beta_0 * le_1;
+        var _S331 : f32 = (*path_5).pdf_1;
         if(is_chosen_0)
         {
             light_pdf_1 = light_2.pdf_3;
@@ -5104,18 +5091,18 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         {
             light_pdf_1 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S334 * vec3<f32>(mis_weight_0(_S335, light_pdf_1));
+        (*radiance_6) = (*radiance_6) + _S330 * vec3<f32>(mis_weight_0(_S331, light_pdf_1));
     }
-    var _S336 : f32 = ior_of_0((*path_5).inside_0);
-    var _S337 : f32 = u_15[i32(3)];
-    var _S338 : MaterialBsdf_0 = bsdf_of_0(material_8, _S336, &(_S337));
-    u_15[i32(3)] = _S337;
-    var scattered_3 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S338);
-    var _S339 : bool = ((*path_5).bounce_0) >= (params_0.max_bounces_0);
-    var _S340 : bool = !is_weighed_0;
-    if(_S340)
+    var _S332 : f32 = ior_of_0((*path_5).inside_0);
+    var _S333 : f32 = u_15[i32(3)];
+    var _S334 : MaterialBsdf_0 = bsdf_of_0(material_8, _S332, &(_S333));
+    u_15[i32(3)] = _S333;
+    var scattered_3 : vec3<f32> = (*path_5).beta_0 * MaterialBsdf_albedo_0(_S334);
+    var _S335 : bool = ((*path_5).bounce_0) >= (params_0.max_bounces_0);
+    var _S336 : bool = !is_weighed_0;
+    if(_S336)
     {
-        if(_S339)
+        if(_S335)
         {
             is_chosen_0 = true;
         }
@@ -5133,7 +5120,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         return next_0;
     }
     var compensation_0 : f32 = roulette_0(Path_events_0((*path_5)), scattered_3, u_15.z);
-    if(_S340)
+    if(_S336)
     {
         is_chosen_0 = compensation_0 == 0.0f;
     }
@@ -5155,19 +5142,19 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         at_6 = hit_6;
     }
     var surface_1 : Surface_0 = surface_of_0(ray_19, at_6);
-    var _S341 : Receiver_0 = Receiver_x24init_0(surface_1.origin_13, surface_1.normal_4);
-    var _S342 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_1);
-    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S342);
+    var _S337 : Receiver_0 = Receiver_x24init_0(surface_1.origin_13, surface_1.normal_4);
+    var _S338 : vec3<f32> = (vec3<f32>(0) - ray_19.direction_1);
+    var wo_4 : vec3<f32> = Surface_local_direction_0(surface_1, _S338);
     var inside_5 : Inside_0 = in_air_0();
     var wo_5 : vec3<f32>;
     var receiver_17 : Receiver_0;
     if(is_scattered_0)
     {
-        var _S343 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
-        inside_5 = _S343;
-        var _S344 : vec3<f32> = normalize_vector_0(_S342);
-        receiver_17 = Receiver_x24init_0(Inside_point_0(_S343, ray_19, t_12), _S331);
-        wo_5 = _S344;
+        var _S339 : Inside_0 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
+        inside_5 = _S339;
+        var _S340 : vec3<f32> = normalize_vector_0(_S338);
+        receiver_17 = Receiver_x24init_0(Inside_point_0(_S339, ray_19, t_12), _S327);
+        wo_5 = _S340;
     }
     else
     {
@@ -5177,12 +5164,12 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
             inside_5 = Inside_x24init_0((*path_5).inside_0.instance_2, hit_6.voxel_1, (*path_5).inside_0.material_0);
             inside_5.voxel_2 = hit_6.voxel_1 + vec3<i32>(face_normal_0(hit_6.face_1));
         }
-        receiver_17 = _S341;
+        receiver_17 = _S337;
         wo_5 = wo_4;
     }
     next_0.origin_11 = receiver_17.point_0;
     next_0.shadow_inside_1 = inside_5;
-    var _S345 : Aim_0 = by_chance_0();
+    var _S341 : Aim_0 = by_chance_0();
     var aim_5 : Aim_0;
     if(is_weighed_0)
     {
@@ -5191,26 +5178,26 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     else
     {
-        aim_5 = _S345;
+        aim_5 = _S341;
     }
-    if(_S340)
+    if(_S336)
     {
         (*path_5).selection_0 = Lights_selection_0(receiver_17);
     }
     var light_3 : LightSample_0 = no_light_0();
-    var _S346 : bool = !MaterialBsdf_is_delta_0(_S338);
+    var _S342 : bool = !MaterialBsdf_is_delta_0(_S334);
     if(is_weighed_0)
     {
         is_chosen_0 = true;
     }
     else
     {
-        is_chosen_0 = _S346;
+        is_chosen_0 = _S342;
     }
     if(is_chosen_0)
     {
-        var _S347 : bool = Lights_sample_0(receiver_17, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
-        next_0.has_shadow_ray_0 = _S347;
+        var _S343 : bool = Lights_sample_0(receiver_17, (*path_5).selection_0, Sampler_stratified_0((*path_5).sampler_0, Path_dimension_light_0((*path_5))), aim_5, &(light_3));
+        next_0.has_shadow_ray_0 = _S343;
     }
     if(is_weighed_0)
     {
@@ -5229,7 +5216,7 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
     }
     if(next_0.has_shadow_ray_0)
     {
-        var _S348 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_15.direction_1).xy, light_3.cos_theta_0);
+        var _S344 : vec3<f32> = vec3<f32>(Surface_local_direction_0(surface_1, light_3.ray_15.direction_1).xy, light_3.cos_theta_0);
         var wi_5 : vec3<f32>;
         if(is_scattered_0)
         {
@@ -5237,17 +5224,17 @@ fn PathTracingOf_advance_0( path_5 : ptr<function, Path_0>,  ray_19 : Ray_0,  hi
         }
         else
         {
-            wi_5 = _S348;
+            wi_5 = _S344;
         }
-        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S338, wo_5, wi_5);
+        var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(_S334, wo_5, wi_5);
         var share_8 : f32 = divide_0(eval_0.pdf_9, light_3.pdf_3) * power_heuristic_0(light_3.pdf_3, eval_0.pdf_9);
         next_0.shadow_direction_0 = light_3.ray_15.direction_1;
         next_0.shadow_t_max_0 = light_3.ray_15.t_max_1;
         next_0.light_0 = (*path_5).beta_0 * eval_0.weight_3 * vec3<f32>(compensation_0) * light_3.radiance_2 * vec3<f32>(share_8);
     }
     var bounce_4 : BsdfSample_0;
-    var _S349 : bool = MaterialBsdf_sample_0(_S338, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
-    if(!_S349)
+    var _S345 : bool = MaterialBsdf_sample_0(_S334, wo_5, vec3<f32>(u_15.xy, u_15.w), &(bounce_4));
+    if(!_S345)
     {
         return next_0;
     }
@@ -5304,17 +5291,17 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
     }
     if(shift_6 < i32(32))
     {
-        var _S350 : u32 = (mantissa_3 << (u32(shift_6)));
-        var _S351 : u32;
+        var _S346 : u32 = (mantissa_3 << (u32(shift_6)));
+        var _S347 : u32;
         if(shift_6 == i32(0))
         {
-            _S351 = u32(0);
+            _S347 = u32(0);
         }
         else
         {
-            _S351 = (mantissa_3 >> (u32(i32(32) - shift_6)));
+            _S347 = (mantissa_3 >> (u32(i32(32) - shift_6)));
         }
-        return vec2<u32>(_S350, _S351);
+        return vec2<u32>(_S346, _S347);
     }
     return vec2<u32>(u32(0), (mantissa_3 << (u32(shift_6 - i32(32)))));
 }
@@ -5322,75 +5309,75 @@ fn fixed_point_0( value_2 : f32) -> vec2<u32>
 fn PixelRecord_add_0( this_51 : ptr<function, PixelRecord_0>,  value_3 : vec3<f32>,  is_covered_0 : bool)
 {
     var addend_0 : vec2<u32> = fixed_point_0(value_3[u32(0)]);
-    var _S352 : u32 = addend_0.x;
-    var low_15 : u32 = (*this_51).radiance_1[u32(0)] + _S352;
-    var high_6 : u32 = (*this_51).radiance_1[u32(1)] + addend_0.y + u32(low_15 < _S352);
+    var _S348 : u32 = addend_0.x;
+    var low_15 : u32 = (*this_51).radiance_1[u32(0)] + _S348;
+    var high_6 : u32 = (*this_51).radiance_1[u32(1)] + addend_0.y + u32(low_15 < _S348);
     var is_full_0 : bool = high_6 < ((*this_51).radiance_1[u32(1)]);
-    var _S353 : u32;
+    var _S349 : u32;
     if(is_full_0)
     {
-        _S353 = u32(4294967295);
+        _S349 = u32(4294967295);
     }
     else
     {
-        _S353 = low_15;
+        _S349 = low_15;
     }
-    (*this_51).radiance_1[u32(0)] = _S353;
+    (*this_51).radiance_1[u32(0)] = _S349;
     if(is_full_0)
     {
-        _S353 = u32(4294967295);
+        _S349 = u32(4294967295);
     }
     else
     {
-        _S353 = high_6;
+        _S349 = high_6;
     }
-    (*this_51).radiance_1[u32(1)] = _S353;
+    (*this_51).radiance_1[u32(1)] = _S349;
     var addend_1 : vec2<u32> = fixed_point_0(value_3[u32(1)]);
-    var _S354 : u32 = addend_1.x;
-    var low_16 : u32 = (*this_51).radiance_1[u32(2)] + _S354;
-    var high_7 : u32 = (*this_51).radiance_1[u32(3)] + addend_1.y + u32(low_16 < _S354);
+    var _S350 : u32 = addend_1.x;
+    var low_16 : u32 = (*this_51).radiance_1[u32(2)] + _S350;
+    var high_7 : u32 = (*this_51).radiance_1[u32(3)] + addend_1.y + u32(low_16 < _S350);
     var is_full_1 : bool = high_7 < ((*this_51).radiance_1[u32(3)]);
     if(is_full_1)
     {
-        _S353 = u32(4294967295);
+        _S349 = u32(4294967295);
     }
     else
     {
-        _S353 = low_16;
+        _S349 = low_16;
     }
-    (*this_51).radiance_1[u32(2)] = _S353;
+    (*this_51).radiance_1[u32(2)] = _S349;
     if(is_full_1)
     {
-        _S353 = u32(4294967295);
+        _S349 = u32(4294967295);
     }
     else
     {
-        _S353 = high_7;
+        _S349 = high_7;
     }
-    (*this_51).radiance_1[u32(3)] = _S353;
+    (*this_51).radiance_1[u32(3)] = _S349;
     var addend_2 : vec2<u32> = fixed_point_0(value_3[u32(2)]);
-    var _S355 : u32 = addend_2.x;
-    var low_17 : u32 = (*this_51).radiance_1[u32(4)] + _S355;
-    var high_8 : u32 = (*this_51).radiance_1[u32(5)] + addend_2.y + u32(low_17 < _S355);
+    var _S351 : u32 = addend_2.x;
+    var low_17 : u32 = (*this_51).radiance_1[u32(4)] + _S351;
+    var high_8 : u32 = (*this_51).radiance_1[u32(5)] + addend_2.y + u32(low_17 < _S351);
     var is_full_2 : bool = high_8 < ((*this_51).radiance_1[u32(5)]);
     if(is_full_2)
     {
-        _S353 = u32(4294967295);
+        _S349 = u32(4294967295);
     }
     else
     {
-        _S353 = low_17;
+        _S349 = low_17;
     }
-    (*this_51).radiance_1[u32(4)] = _S353;
+    (*this_51).radiance_1[u32(4)] = _S349;
     if(is_full_2)
     {
-        _S353 = u32(4294967295);
+        _S349 = u32(4294967295);
     }
     else
     {
-        _S353 = high_8;
+        _S349 = high_8;
     }
-    (*this_51).radiance_1[u32(5)] = _S353;
+    (*this_51).radiance_1[u32(5)] = _S349;
     (*this_51).samples_0 = (*this_51).samples_0 + u32(1);
     (*this_51).covered_0 = (*this_51).covered_0 + u32(is_covered_0);
     return;
@@ -5412,20 +5399,20 @@ fn add_sample_0( index_32 : u32,  radiance_7 : vec3<f32>,  is_covered_1 : bool)
 fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 {
     var counts_0 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S356 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_8 : vec3<f32> = _S356;
+    var _S352 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_8 : vec3<f32> = _S352;
     var path_6 : Path_0;
-    var _S357 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
-    var ray_20 : Ray_0 = _S357;
+    var _S353 : Ray_0 = camera_path_0(work_0.pixel_5, work_0.sample_5, &(path_6));
+    var ray_20 : Ray_0 = _S353;
     var shadow_inside_3 : Inside_0 = in_air_0();
     var relocates_3 : bool = true;
     var path_relocates_3 : bool = true;
     var is_shadow_turn_0 : bool = true;
     var is_shadow_ray_1 : bool = false;
-    var direction_28 : vec3<f32> = _S356;
+    var direction_28 : vec3<f32> = _S352;
     var is_covered_2 : bool = false;
     var sample_13 : u32 = work_0.sample_5;
-    var light_4 : vec3<f32> = _S356;
+    var light_4 : vec3<f32> = _S352;
     for(;;)
     {
         if(sample_13 < (work_0.last_2))
@@ -5441,11 +5428,11 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
             is_shadow_turn_0 = is_shadow_turn_1;
             continue;
         }
-        var _S358 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
+        var _S354 : Sampler_0 = sampler_of_0(work_0.pixel_5, sample_13);
         var beyond_4 : u32;
-        var _S359 : Hit_0 = hit_of_ray_0(_S358, &(ray_20), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
-        var _S360 : bool = waits_for_pages_0();
-        if(_S360)
+        var _S355 : Hit_0 = hit_of_ray_0(_S354, &(ray_20), is_shadow_ray_1, &(path_6), &(shadow_inside_3), &(relocates_3), &(path_relocates_3), &(beyond_4));
+        var _S356 : bool = waits_for_pages_0();
+        if(_S356)
         {
             break;
         }
@@ -5453,7 +5440,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         if(is_shadow_ray_1)
         {
             counts_0.shadow_0 = counts_0.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S359))
+            if(Hit_is_miss_0(_S355))
             {
                 radiance_8 = radiance_8 + light_4;
             }
@@ -5464,7 +5451,7 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_6)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S359))
+                if(!Hit_is_miss_0(_S355))
                 {
                     is_covered_3 = true;
                 }
@@ -5481,63 +5468,63 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
                 }
                 is_covered_3 = is_covered_2;
             }
-            var _S361 : NextRays_0 = no_rays_0();
-            path_6.sampler_0 = _S358;
-            var _S362 : bool;
+            var _S357 : NextRays_0 = no_rays_0();
+            path_6.sampler_0 = _S354;
+            var _S358 : bool;
             if(is_covered_3)
             {
-                _S362 = true;
+                _S358 = true;
             }
             else
             {
-                _S362 = (params_0.is_transparent_0) == u32(0);
+                _S358 = (params_0.is_transparent_0) == u32(0);
             }
             var next_1 : NextRays_0;
-            if(_S362)
+            if(_S358)
             {
-                var _S363 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_20, _S359, beyond_4, &(radiance_8));
-                next_1 = _S363;
+                var _S359 : NextRays_0 = PathTracingOf_advance_0(&(path_6), ray_20, _S355, beyond_4, &(radiance_8));
+                next_1 = _S359;
             }
             else
             {
-                next_1 = _S361;
+                next_1 = _S357;
             }
-            var _S364 : bool;
+            var _S360 : bool;
             if(weighs_apart_0())
             {
-                _S364 = next_1.is_same_0;
+                _S360 = next_1.is_same_0;
             }
             else
             {
-                _S364 = false;
+                _S360 = false;
             }
-            if(_S364)
+            if(_S360)
             {
                 is_shadow_turn_0 = is_shadow_turn_1;
                 is_covered_2 = is_covered_3;
                 continue;
             }
-            var _S365 : NextRays_0 = next_1;
-            var _S366 : NextRays_0 = next_1;
-            var _S367 : NextRays_0 = next_1;
-            var _S368 : NextRays_0 = next_1;
+            var _S361 : NextRays_0 = next_1;
+            var _S362 : NextRays_0 = next_1;
+            var _S363 : NextRays_0 = next_1;
+            var _S364 : NextRays_0 = next_1;
             ray_20 = PathTracingOf_clip_0(ray_from_0(next_1.origin_11, next_1.direction_6));
-            if(_S367.has_shadow_ray_0)
+            if(_S363.has_shadow_ray_0)
             {
-                ray_20 = Ray_x24init_0(_S368.origin_11, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
+                ray_20 = Ray_x24init_0(_S364.origin_11, 0.0f, next_1.shadow_direction_0, next_1.shadow_t_max_0);
             }
-            is_shadow_ray_1 = _S367.has_shadow_ray_0;
-            direction_28 = _S365.direction_6;
+            is_shadow_ray_1 = _S363.has_shadow_ray_0;
+            direction_28 = _S361.direction_6;
             is_covered_2 = is_covered_3;
-            light_4 = _S366.light_0;
+            light_4 = _S362.light_0;
         }
-        if(_S360)
+        if(_S356)
         {
             break;
         }
         if(!is_shadow_ray_1)
         {
-            is_covered_3 = (all((direction_28 == _S356)));
+            is_covered_3 = (all((direction_28 == _S352)));
         }
         else
         {
@@ -5545,16 +5532,16 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
         }
         if(is_covered_3)
         {
-            var _S369 : vec2<u32> = position_of_0(work_0.pixel_5);
-            add_sample_0(place_of_0(_S369), radiance_8, is_covered_2);
-            radiance_8 = _S356;
+            var _S365 : vec2<u32> = position_of_0(work_0.pixel_5);
+            add_sample_0(place_of_0(_S365), radiance_8, is_covered_2);
+            radiance_8 = _S352;
             var sample_14 : u32 = sample_13 + u32(1);
             if(sample_14 == (work_0.last_2))
             {
                 break;
             }
-            var _S370 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
-            ray_20 = _S370;
+            var _S366 : Ray_0 = camera_path_0(work_0.pixel_5, sample_14, &(path_6));
+            ray_20 = _S366;
             relocates_3 = true;
             path_relocates_3 = true;
             sample_13 = sample_14;
@@ -5567,8 +5554,8 @@ fn trace_pixel_0( work_0 : Work_0) -> RayCounts_0
 fn hit_of_ray_1( sampler_4 : Sampler_0,  ray_21 : ptr<function, Ray_0>,  is_shadow_ray_2 : bool,  path_7 : ptr<function, Path_0>,  shadow_inside_4 : ptr<function, Inside_0>,  relocates_4 : ptr<function, bool>,  path_relocates_4 : ptr<function, bool>,  beyond_5 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_5) = u32(4294967295);
-    var _S371 : Hit_0 = WalkTracer_trace_0(&((*ray_21)), is_shadow_ray_2);
-    return _S371;
+    var _S367 : Hit_0 = WalkTracer_trace_0(&((*ray_21)), is_shadow_ray_2);
+    return _S367;
 }
 
 fn Essay_jitter_0( sampler_5 : Sampler_0) -> vec4<f32>
@@ -5585,9 +5572,9 @@ fn camera_path_1( pixel_7 : u32,  sample_15 : u32,  path_8 : ptr<function, Path_
 {
     (*path_8) = Path_x24init_0(sampler_of_0(pixel_7, sample_15), u32(0), u32(0), u32(0), u32(0), vec3<f32>(1.0f), 0.0f, vec3<f32>(0.0f), Selection_x24init_0(0.0f, 0.0f, 0.0f), 0.0f, in_air_0(), true);
     var jitter_1 : vec4<f32> = Essay_jitter_0((*path_8).sampler_0);
-    var _S372 : CameraFrame_0 = FrameParams_camera_0();
-    var _S373 : vec2<u32> = position_of_0(pixel_7);
-    return Essay_clip_0(CameraFrame_ray_0(_S372, vec2<f32>(_S373) + jitter_1.xy, jitter_1.zw));
+    var _S368 : CameraFrame_0 = FrameParams_camera_0();
+    var _S369 : vec2<u32> = position_of_0(pixel_7);
+    return Essay_clip_0(CameraFrame_ray_0(_S368, vec2<f32>(_S369) + jitter_1.xy, jitter_1.zw));
 }
 
 fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_7 : Hit_0,  beyond_6 : u32,  radiance_9 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -5620,19 +5607,19 @@ fn Essay_advance_0( path_9 : ptr<function, Path_0>,  ray_23 : Ray_0,  hit_7 : Hi
 fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 {
     var counts_1 : RayCounts_0 = RayCounts_x24init_0(u32(0), u32(0));
-    var _S374 : vec3<f32> = vec3<f32>(0.0f);
-    var radiance_10 : vec3<f32> = _S374;
+    var _S370 : vec3<f32> = vec3<f32>(0.0f);
+    var radiance_10 : vec3<f32> = _S370;
     var path_10 : Path_0;
-    var _S375 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
-    var ray_24 : Ray_0 = _S375;
+    var _S371 : Ray_0 = camera_path_1(work_1.pixel_5, work_1.sample_5, &(path_10));
+    var ray_24 : Ray_0 = _S371;
     var shadow_inside_5 : Inside_0 = in_air_0();
     var relocates_5 : bool = true;
     var path_relocates_5 : bool = true;
     var is_shadow_ray_3 : bool = false;
-    var direction_29 : vec3<f32> = _S374;
+    var direction_29 : vec3<f32> = _S370;
     var is_covered_4 : bool = false;
     var sample_16 : u32 = work_1.sample_5;
-    var light_5 : vec3<f32> = _S374;
+    var light_5 : vec3<f32> = _S370;
     for(;;)
     {
         if(sample_16 < (work_1.last_2))
@@ -5642,11 +5629,11 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             break;
         }
-        var _S376 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
+        var _S372 : Sampler_0 = sampler_of_0(work_1.pixel_5, sample_16);
         var beyond_7 : u32;
-        var _S377 : Hit_0 = hit_of_ray_1(_S376, &(ray_24), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
-        var _S378 : bool = waits_for_pages_0();
-        if(_S378)
+        var _S373 : Hit_0 = hit_of_ray_1(_S372, &(ray_24), is_shadow_ray_3, &(path_10), &(shadow_inside_5), &(relocates_5), &(path_relocates_5), &(beyond_7));
+        var _S374 : bool = waits_for_pages_0();
+        if(_S374)
         {
             break;
         }
@@ -5654,7 +5641,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         if(is_shadow_ray_3)
         {
             counts_1.shadow_0 = counts_1.shadow_0 + u32(1);
-            if(Hit_is_miss_0(_S377))
+            if(Hit_is_miss_0(_S373))
             {
                 radiance_10 = radiance_10 + light_5;
             }
@@ -5665,7 +5652,7 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         {
             if((Path_events_0(path_10)) == u32(0))
             {
-                if(!Hit_is_miss_0(_S377))
+                if(!Hit_is_miss_0(_S373))
                 {
                     is_covered_5 = true;
                 }
@@ -5682,62 +5669,62 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
                 }
                 is_covered_5 = is_covered_4;
             }
-            var _S379 : NextRays_0 = no_rays_0();
-            path_10.sampler_0 = _S376;
-            var _S380 : bool;
+            var _S375 : NextRays_0 = no_rays_0();
+            path_10.sampler_0 = _S372;
+            var _S376 : bool;
             if(is_covered_5)
             {
-                _S380 = true;
+                _S376 = true;
             }
             else
             {
-                _S380 = (params_0.is_transparent_0) == u32(0);
+                _S376 = (params_0.is_transparent_0) == u32(0);
             }
             var next_3 : NextRays_0;
-            if(_S380)
+            if(_S376)
             {
-                var _S381 : NextRays_0 = Essay_advance_0(&(path_10), ray_24, _S377, beyond_7, &(radiance_10));
-                next_3 = _S381;
+                var _S377 : NextRays_0 = Essay_advance_0(&(path_10), ray_24, _S373, beyond_7, &(radiance_10));
+                next_3 = _S377;
             }
             else
             {
-                next_3 = _S379;
+                next_3 = _S375;
             }
-            var _S382 : bool;
+            var _S378 : bool;
             if(weighs_apart_0())
             {
-                _S382 = next_3.is_same_0;
+                _S378 = next_3.is_same_0;
             }
             else
             {
-                _S382 = false;
+                _S378 = false;
             }
-            if(_S382)
+            if(_S378)
             {
                 is_covered_4 = is_covered_5;
                 continue;
             }
-            var _S383 : NextRays_0 = next_3;
-            var _S384 : NextRays_0 = next_3;
-            var _S385 : NextRays_0 = next_3;
-            var _S386 : NextRays_0 = next_3;
+            var _S379 : NextRays_0 = next_3;
+            var _S380 : NextRays_0 = next_3;
+            var _S381 : NextRays_0 = next_3;
+            var _S382 : NextRays_0 = next_3;
             ray_24 = Essay_clip_0(ray_from_0(next_3.origin_11, next_3.direction_6));
-            if(_S385.has_shadow_ray_0)
+            if(_S381.has_shadow_ray_0)
             {
-                ray_24 = Ray_x24init_0(_S386.origin_11, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
+                ray_24 = Ray_x24init_0(_S382.origin_11, 0.0f, next_3.shadow_direction_0, next_3.shadow_t_max_0);
             }
-            is_shadow_ray_3 = _S385.has_shadow_ray_0;
-            direction_29 = _S383.direction_6;
+            is_shadow_ray_3 = _S381.has_shadow_ray_0;
+            direction_29 = _S379.direction_6;
             is_covered_4 = is_covered_5;
-            light_5 = _S384.light_0;
+            light_5 = _S380.light_0;
         }
-        if(_S378)
+        if(_S374)
         {
             break;
         }
         if(!is_shadow_ray_3)
         {
-            is_covered_5 = (all((direction_29 == _S374)));
+            is_covered_5 = (all((direction_29 == _S370)));
         }
         else
         {
@@ -5745,16 +5732,16 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
         }
         if(is_covered_5)
         {
-            var _S387 : vec2<u32> = position_of_0(work_1.pixel_5);
-            add_sample_0(place_of_0(_S387), radiance_10, is_covered_4);
-            radiance_10 = _S374;
+            var _S383 : vec2<u32> = position_of_0(work_1.pixel_5);
+            add_sample_0(place_of_0(_S383), radiance_10, is_covered_4);
+            radiance_10 = _S370;
             var sample_17 : u32 = sample_16 + u32(1);
             if(sample_17 == (work_1.last_2))
             {
                 break;
             }
-            var _S388 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
-            ray_24 = _S388;
+            var _S384 : Ray_0 = camera_path_1(work_1.pixel_5, sample_17, &(path_10));
+            ray_24 = _S384;
             relocates_5 = true;
             path_relocates_5 = true;
             sample_16 = sample_17;
@@ -5765,31 +5752,31 @@ fn trace_pixel_1( work_1 : Work_0) -> RayCounts_0
 
 fn Work_x24init_0( pixel_8 : u32,  sample_18 : u32,  last_7 : u32) -> Work_0
 {
-    var _S389 : Work_0;
-    _S389.pixel_5 = pixel_8;
-    _S389.sample_5 = sample_18;
-    _S389.last_2 = last_7;
-    return _S389;
+    var _S385 : Work_0;
+    _S385.pixel_5 = pixel_8;
+    _S385.sample_5 = sample_18;
+    _S385.last_2 = last_7;
+    return _S385;
 }
 
 fn work_of_0( index_33 : u32) -> Work_0
 {
     var size_1 : vec2<u32> = params_0.region_0.zw - params_0.region_0.xy;
-    var _S390 : u32 = size_1.x;
-    var _S391 : u32 = u32(8) * _S390;
-    var band_0 : u32 = index_33 / _S391;
-    var _S392 : u32 = u32(8) * band_0;
-    var in_band_0 : u32 = index_33 - _S391 * band_0;
-    var _S393 : u32 = u32(8) * min(u32(8), size_1.y - _S392);
-    var tile_0 : u32 = in_band_0 / _S393;
-    var _S394 : u32 = u32(8) * tile_0;
-    var _S395 : u32 = min(u32(8), _S390 - _S394);
-    var in_tile_0 : u32 = in_band_0 - _S393 * tile_0;
-    var _S396 : vec2<u32> = params_0.region_0.xy;
-    var _S397 : u32 = in_tile_0 % _S395;
-    var _S398 : u32 = _S394 + _S397;
-    var _S399 : u32 = in_tile_0 / _S395;
-    var at_8 : vec2<u32> = _S396 + vec2<u32>(_S398, _S392 + _S399);
+    var _S386 : u32 = size_1.x;
+    var _S387 : u32 = u32(8) * _S386;
+    var band_0 : u32 = index_33 / _S387;
+    var _S388 : u32 = u32(8) * band_0;
+    var in_band_0 : u32 = index_33 - _S387 * band_0;
+    var _S389 : u32 = u32(8) * min(u32(8), size_1.y - _S388);
+    var tile_0 : u32 = in_band_0 / _S389;
+    var _S390 : u32 = u32(8) * tile_0;
+    var _S391 : u32 = min(u32(8), _S386 - _S390);
+    var in_tile_0 : u32 = in_band_0 - _S389 * tile_0;
+    var _S392 : vec2<u32> = params_0.region_0.xy;
+    var _S393 : u32 = in_tile_0 % _S391;
+    var _S394 : u32 = _S390 + _S393;
+    var _S395 : u32 = in_tile_0 / _S391;
+    var at_8 : vec2<u32> = _S392 + vec2<u32>(_S394, _S388 + _S395);
     return Work_x24init_0(at_8.y * params_0.width_0 + at_8.x, pixels_0[place_of_0(at_8)].samples_0, min(dispatch_0.samples_target_0, pixels_0[place_of_0(at_8)].samples_0 + dispatch_0.samples_1));
 }
 
@@ -5798,7 +5785,7 @@ fn render_0( index_34 : u32,  thread_0 : u32)
     if(index_34 < (dispatch_0.count_0))
     {
         var work_2 : Work_0 = work_of_0(dispatch_0.first_0 + index_34);
-        var _S400 : RayCounts_0 = trace_pixel_0(work_2);
+        var _S396 : RayCounts_0 = trace_pixel_0(work_2);
     }
     return;
 }
@@ -5808,7 +5795,7 @@ fn render_1( index_35 : u32,  thread_1 : u32)
     if(index_35 < (dispatch_0.count_0))
     {
         var work_3 : Work_0 = work_of_0(dispatch_0.first_0 + index_35);
-        var _S401 : RayCounts_0 = trace_pixel_1(work_3);
+        var _S397 : RayCounts_0 = trace_pixel_1(work_3);
     }
     return;
 }
@@ -5836,8 +5823,8 @@ fn render_path(@builtin(global_invocation_id) id_1 : vec3<u32>, @builtin(local_i
 
 fn WalkTracer_trace_1( ray_26 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S402 : Hit_0 = visit_0(&((*ray_26)), is_any_enough_2, u32(0));
-    return _S402;
+    var _S398 : Hit_0 = visit_0(&((*ray_26)), is_any_enough_2, u32(0));
+    return _S398;
 }
 
 struct HitRecord_0
@@ -5850,66 +5837,66 @@ struct HitRecord_0
 
 fn HitRecord_x24init_0( t_13 : f32,  instance_13 : u32,  voxel_22 : array<i32, i32(3)>,  face_9 : u32) -> HitRecord_0
 {
-    var _S403 : HitRecord_0;
-    _S403.t_0 = t_13;
-    _S403.instance_0 = instance_13;
-    _S403.voxel_0 = voxel_22;
-    _S403.face_0 = face_9;
-    return _S403;
+    var _S399 : HitRecord_0;
+    _S399.t_0 = t_13;
+    _S399.instance_0 = instance_13;
+    _S399.voxel_0 = voxel_22;
+    _S399.face_0 = face_9;
+    return _S399;
 }
 
 fn record_of_0( hit_8 : Hit_0) -> HitRecord_0
 {
-    var _S404 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
-    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S404, hit_8.face_1);
+    var _S400 : array<i32, i32(3)> = array<i32, i32(3)>( hit_8.voxel_1.x, hit_8.voxel_1.y, hit_8.voxel_1.z );
+    return HitRecord_x24init_0(hit_8.t_1, hit_8.instance_1, _S400, hit_8.face_1);
 }
 
-fn ray_of_0( _S405 : u32) -> Ray_0
+fn ray_of_0( _S401 : u32) -> Ray_0
 {
-    return Ray_x24init_0(vector_of_0(rays_0[_S405].origin_0), rays_0[_S405].t_min_0, vector_of_0(rays_0[_S405].direction_0), rays_0[_S405].t_max_0);
+    return Ray_x24init_0(vector_of_0(rays_0[_S401].origin_0), rays_0[_S401].t_min_0, vector_of_0(rays_0[_S401].direction_0), rays_0[_S401].t_max_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn cast_rays(@builtin(global_invocation_id) id_2 : vec3<u32>, @builtin(local_invocation_index) thread_4 : u32)
 {
-    var _S406 : u32 = id_2.x;
-    if(_S406 < (dispatch_0.count_0))
+    var _S402 : u32 = id_2.x;
+    if(_S402 < (dispatch_0.count_0))
     {
-        var _S407 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S406);
-        var ray_27 : Ray_0 = _S407;
-        var _S408 : Hit_0 = WalkTracer_trace_1(&(ray_27), false);
-        var _S409 : bool;
+        var _S403 : Ray_0 = ray_of_0(dispatch_0.first_0 + _S402);
+        var ray_27 : Ray_0 = _S403;
+        var _S404 : Hit_0 = WalkTracer_trace_1(&(ray_27), false);
+        var _S405 : bool;
         if(IS_SINGLE_0)
         {
-            _S409 = !IS_EXACT_0;
+            _S405 = !IS_EXACT_0;
         }
         else
         {
-            _S409 = false;
+            _S405 = false;
         }
-        if(_S409)
+        if(_S405)
         {
-            _S409 = !Hit_is_miss_0(_S408);
+            _S405 = !Hit_is_miss_0(_S404);
         }
         else
         {
-            _S409 = false;
+            _S405 = false;
         }
         var hit_9 : Hit_0;
-        if(_S409)
+        if(_S405)
         {
-            hit_9 = hit_of_0(local_ray_0(_S407, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0), _S408.voxel_1, _S408.instance_1);
+            hit_9 = hit_of_0(local_ray_0(_S403, Instances_operatorx5Bx5D_get_0(u32(0)).grid_from_world_0), _S404.voxel_1, _S404.instance_1);
         }
         else
         {
-            hit_9 = _S408;
+            hit_9 = _S404;
         }
-        var _S410 : HitRecord_0 = record_of_0(hit_9);
-        hits_0[dispatch_0.first_0 + _S406].t_0 = _S410.t_0;
-        hits_0[dispatch_0.first_0 + _S406].instance_0 = _S410.instance_0;
-        hits_0[dispatch_0.first_0 + _S406].voxel_0 = _S410.voxel_0;
-        hits_0[dispatch_0.first_0 + _S406].face_0 = _S410.face_0;
+        var _S406 : HitRecord_0 = record_of_0(hit_9);
+        hits_0[dispatch_0.first_0 + _S402].t_0 = _S406.t_0;
+        hits_0[dispatch_0.first_0 + _S402].instance_0 = _S406.instance_0;
+        hits_0[dispatch_0.first_0 + _S402].voxel_0 = _S406.voxel_0;
+        hits_0[dispatch_0.first_0 + _S402].face_0 = _S406.face_0;
     }
     return;
 }

@@ -11,22 +11,14 @@ use crate::surface::offset_ray_origin;
 use glam::{IVec3, Vec3};
 use voxtrace_scene::ray::{FACES, Face, Hit, Ray};
 
-/// An upper bound, of at most 1.23 times, of the length of a vector whose components have these absolute values.
-fn length_bound(absolute: Vec3) -> f32 {
-    (absolute.max_element() + (absolute.x + absolute.y + absolute.z)) * 0.5
-}
-
 /// How many times as far away as the radius of its box, squared, the middle of a node is at least for its emitters to be chosen by their power: nearer
 /// ones would be chosen visibly worse (`docs/decisions/0081-far-lights-by-their-power.md`).
 pub(super) const FAR_SQUARED: f32 = 36.0;
 
-/// How near a node is taken to be at least along each axis, of half its box: where a receiver lies within a box of emitters or beside it, they are
-/// nearer than its middle is (`docs/decisions/0239-trees-of-lights-that-find-near-lamps.md`).
-pub(super) const LEAST_DISTANCE: f32 = 0.75;
-
-/// The vector whose length is the distance of a node with this half of a box, whose middle lies there from the receiver.
+/// The vector whose length is taken for the distance of a node with this half of a box, whose middle lies there from the receiver: along each axis at least half the
+/// box, as a receiver within a box of emitters is not at its middle (`docs/decisions/0239-trees-of-lights-that-find-near-lamps.md`).
 fn reach(toward: Vec3, half: Vec3) -> Vec3 {
-    toward.abs().max(half * LEAST_DISTANCE)
+    toward.abs().max(half)
 }
 
 /// The same were its emitters where its box is nearest, but for this share of half the box.
@@ -56,25 +48,22 @@ fn view(node: &LightNode, receiver: &Receiver) -> View {
     let normal = receiver.normal;
     let (middle, aside) = (toward.dot(normal), half.dot(normal.abs()));
     let above = middle + aside + receiver.slack;
-    let (far, near) = (toward.length_squared(), half.length_squared());
+    let (far, near) = (reach(toward, half).length_squared(), half.length_squared());
     let is_far = middle - aside + receiver.slack > 0.0 && far > near * FAR_SQUARED;
     if above <= 0.0 {
         return View { importance: 0.0, of_nearest: 0.0, is_far };
     }
-    let reach = reach(toward, half);
-    let distance = length_bound(reach);
-    let sent = sum_of_sides(sent_by_side(node, receiver.point, distance));
-    let falloff = reciprocal_guess(reach.length_squared());
-    let cosines = sent * above.min(distance) * falloff;
+    let falloff = reciprocal_guess(far);
+    let cosines = sum_of_sides(sent_by_side(node, receiver.point)) * above * falloff;
     let of_nearest = cosines * reciprocal_guess(nearest(toward, half).length_squared());
     View { importance: cosines * falloff, of_nearest, is_far }
 }
 
 /// What a node sends along each of the six directions to a point, up to a common factor: its power times how far the point lies in front of the
-/// foremost face that looks there, but not beyond `distance`, a bound of the distance.
-fn sent_by_side(node: &LightNode, point: Vec3, distance: f32) -> [f32; 6] {
-    let beyond_min = (point - node.min).max(Vec3::ZERO).min(Vec3::splat(distance));
-    let beyond_max = (node.max - point).max(Vec3::ZERO).min(Vec3::splat(distance));
+/// foremost face that looks there.
+fn sent_by_side(node: &LightNode, point: Vec3) -> [f32; 6] {
+    let beyond_min = (point - node.min).max(Vec3::ZERO);
+    let beyond_max = (node.max - point).max(Vec3::ZERO);
     let power = &node.power;
     [
         power[0] * beyond_max.x,
@@ -237,9 +226,7 @@ fn sample_emitter(tree: &EmitterTree, receiver: &Receiver, u: [f32; 4]) -> Optio
 /// Of the node where a way ended, the side of its emitters that shines: by what is left of the random number, or `met`, and the odds of it with
 /// those of the way. `None` where nothing is sent to the point along it.
 fn choose_side(node: &LightNode, point: Vec3, met: Option<Face>, way: &Descent) -> Option<(Odds, Face)> {
-    let half = (node.max - node.min) * 0.5;
-    let toward = (node.min + node.max) * 0.5 - point;
-    let sent = sent_by_side(node, point, length_bound(reach(toward, half)));
+    let sent = sent_by_side(node, point);
     let sum = normal_or_zero(sum_of_sides(sent));
     let unit = inverse_power_of_two(sum);
     let total = sum * unit;

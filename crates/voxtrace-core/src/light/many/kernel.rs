@@ -1,6 +1,6 @@
 //! What [`super::super::emitters`] computes of nodes, for sixteen receivers at once: the same operations in the same order in each lane.
 
-use super::super::emitters::{BY_NEAREST, FAR_SQUARED, LEAST_DISTANCE, NEAREST_SHARE};
+use super::super::emitters::{BY_NEAREST, FAR_SQUARED, NEAREST_SHARE};
 use super::ways::{NORMAL, POINT, SLACK};
 use crate::walk::simd::{LANES, Row, Simd};
 
@@ -63,51 +63,41 @@ impl<S: Simd> Nodes<S> {
     /// The twin of `view`.
     #[inline(always)]
     pub fn view(&self, s: S, receivers: &Receivers<S>) -> Views<S> {
-        let Receivers { normal, slack, .. } = receivers;
-        let Spread { toward, half, reach } = self.spread(s, receivers);
-        let (far, near, distance) = (dot(s, &toward, &toward), dot(s, &half, &half), length_bound(s, &reach));
-        let zero = s.floats(0.0);
+        let Receivers { point, normal, slack } = receivers;
+        let (zero, one_half) = (s.floats(0.0), s.floats(0.5));
+        let (mut half, mut toward, mut reach, mut nearest) = ([zero; 3], [zero; 3], [zero; 3], [zero; 3]);
+        for axis in 0..3 {
+            half[axis] = s.mul_floats(s.sub_floats(self.max[axis], self.min[axis]), one_half);
+            let middle = s.mul_floats(s.add_floats(self.min[axis], self.max[axis]), one_half);
+            toward[axis] = s.sub_floats(middle, point[axis]);
+            let away = s.abs(toward[axis]);
+            reach[axis] = s.max(away, half[axis]);
+            let share = s.mul_floats(half[axis], s.floats(NEAREST_SHARE));
+            nearest[axis] = s.max(s.sub_floats(away, half[axis]), share);
+        }
         let steep = [s.abs(normal[0]), s.abs(normal[1]), s.abs(normal[2])];
         let (middle, aside) = (dot(s, &toward, normal), dot(s, &half, &steep));
         let above = s.add_floats(s.add_floats(middle, aside), *slack);
         let lowest = s.add_floats(s.sub_floats(middle, aside), *slack);
+        let (far, near) = (dot(s, &reach, &reach), dot(s, &half, &half));
         let is_outside = s.lt_floats(s.mul_floats(near, s.floats(FAR_SQUARED)), far);
         let is_far = s.both(s.lt_floats(zero, lowest), is_outside);
-        let sent = sum_of_sides(s, self.sent_by_side(s, receivers, distance));
-        let falloff = reciprocal_guess(s, dot(s, &reach, &reach));
-        let cosines = s.mul_floats(s.mul_floats(sent, s.min(above, distance)), falloff);
+        let falloff = reciprocal_guess(s, far);
+        let sent = sum_of_sides(s, self.sent_by_side(s, receivers));
+        let cosines = s.mul_floats(s.mul_floats(sent, above), falloff);
         let cosines = s.select_floats(s.lt_floats(zero, above), cosines, zero);
-        let mut nearest = [zero; 3];
-        for axis in 0..3 {
-            let share = s.mul_floats(half[axis], s.floats(NEAREST_SHARE));
-            nearest[axis] = s.max(s.sub_floats(s.abs(toward[axis]), half[axis]), share);
-        }
         let of_nearest = s.mul_floats(cosines, reciprocal_guess(s, dot(s, &nearest, &nearest)));
         Views { importance: s.mul_floats(cosines, falloff), of_nearest, is_far }
     }
 
-    /// How large the boxes are, and where they lie from the receivers.
-    #[inline(always)]
-    fn spread(&self, s: S, receivers: &Receivers<S>) -> Spread<S> {
-        let (zero, one_half) = (s.floats(0.0), s.floats(0.5));
-        let (mut half, mut toward, mut reach) = ([zero; 3], [zero; 3], [zero; 3]);
-        for axis in 0..3 {
-            half[axis] = s.mul_floats(s.sub_floats(self.max[axis], self.min[axis]), one_half);
-            let middle = s.mul_floats(s.add_floats(self.min[axis], self.max[axis]), one_half);
-            toward[axis] = s.sub_floats(middle, receivers.point[axis]);
-            reach[axis] = s.max(s.abs(toward[axis]), s.mul_floats(half[axis], s.floats(LEAST_DISTANCE)));
-        }
-        Spread { toward, half, reach }
-    }
-
     /// The twin of `sent_by_side`.
     #[inline(always)]
-    fn sent_by_side(&self, s: S, receivers: &Receivers<S>, distance: S::Floats) -> [S::Floats; 6] {
+    fn sent_by_side(&self, s: S, receivers: &Receivers<S>) -> [S::Floats; 6] {
         let zero = s.floats(0.0);
         let mut sent = [zero; 6];
         for axis in 0..3 {
-            let beyond_min = s.min(s.max(s.sub_floats(receivers.point[axis], self.min[axis]), zero), distance);
-            let beyond_max = s.min(s.max(s.sub_floats(self.max[axis], receivers.point[axis]), zero), distance);
+            let beyond_min = s.max(s.sub_floats(receivers.point[axis], self.min[axis]), zero);
+            let beyond_max = s.max(s.sub_floats(self.max[axis], receivers.point[axis]), zero);
             sent[2 * axis] = s.mul_floats(self.power[2 * axis], beyond_max);
             sent[2 * axis + 1] = s.mul_floats(self.power[2 * axis + 1], beyond_min);
         }
@@ -119,7 +109,7 @@ impl<S: Simd> Nodes<S> {
     #[inline(always)]
     pub fn choose_side(&self, s: S, receivers: &Receivers<S>, [weight, total, choice]: [S::Floats; 3]) -> Sides<S> {
         let zero = s.floats(0.0);
-        let sent = self.sent_by_side(s, receivers, length_bound(s, &self.spread(s, receivers).reach));
+        let sent = self.sent_by_side(s, receivers);
         let sum = normal_or_zero(s, sum_of_sides(s, sent));
         let unit = inverse_power_of_two(s, sum);
         let of_all = s.mul_floats(sum, unit);
@@ -147,13 +137,6 @@ pub struct Views<S: Simd> {
     pub is_far: S::Mask,
 }
 
-/// Of sixteen nodes and receivers: the middle of a box from the receiver, half its diagonal, and the vector whose length is the distance.
-struct Spread<S: Simd> {
-    toward: [S::Floats; 3],
-    half: [S::Floats; 3],
-    reach: [S::Floats; 3],
-}
-
 /// Sixteen chosen sides.
 pub struct Sides<S: Simd> {
     pub side: S::Ints,
@@ -167,13 +150,6 @@ pub struct Sides<S: Simd> {
 fn dot<S: Simd>(s: S, a: &[S::Floats; 3], b: &[S::Floats; 3]) -> S::Floats {
     let two = s.add_floats(s.mul_floats(a[0], b[0]), s.mul_floats(a[1], b[1]));
     s.add_floats(two, s.mul_floats(a[2], b[2]))
-}
-
-/// The twin of `length_bound`.
-#[inline(always)]
-fn length_bound<S: Simd>(s: S, [x, y, z]: &[S::Floats; 3]) -> S::Floats {
-    let largest = s.max(*x, s.max(*y, *z));
-    s.mul_floats(s.add_floats(largest, s.add_floats(s.add_floats(*x, *y), *z)), s.floats(0.5))
 }
 
 /// The twin of [`crate::math::reciprocal_guess`].

@@ -97,7 +97,7 @@ pub const TABLE: &[Source] = &[
     Source { file: "voxtrace-core/src/medium/shadow.rs", items: &[same("MAX_BOUNDARIES")] },
     Source {
         file: "voxtrace-core/src/light/emitters.rs",
-        items: &[same("FAR_SQUARED"), same("LEAST_DISTANCE"), same("NEAREST_SHARE"), same("BY_NEAREST")],
+        items: &[same("FAR_SQUARED"), same("NEAREST_SHARE"), same("BY_NEAREST")],
     },
     Source {
         file: "voxtrace-core/src/light/mod.rs",
