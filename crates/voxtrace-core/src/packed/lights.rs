@@ -1,5 +1,5 @@
 //! The emitters of each grid and the tree over them, which all instances of the grid share, in the space of the grid. Below, within
-//! cubes of [`CUBE`] voxels, it halves the Morton order of the emissive voxels (Karras, "Maximizing Parallelism in the Construction
+//! cubes of two to the power of [`CUBE_SHIFT`] voxels, it halves the Morton order of the emissive voxels (Karras, "Maximizing Parallelism in the Construction
 //! of BVHs, Octrees, and k-d Trees", HPG 2012), so that edits change little of it; above, planes between cubes are those of the least cost: power times
 //! the square of how far it is spread, which is what a choice among far nodes gets wrong. A node's powers along the six axes stand in for the cone of normals of Conty Estevez
 //! and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting" (HPG 2018), whose trees have such a cost, too.

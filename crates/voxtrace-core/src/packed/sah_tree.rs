@@ -121,10 +121,9 @@ impl Boxes<'_> {
             false => self.middle_plane(order).filter(|_| self.by_planes),
         };
         let below = left.saturating_sub(1);
-        let middle = match plane {
-            Some(plane) => self.part(order, plane),
-            None => halve(self.places, self.extent(order), order),
-        };
+        // Where boxes of a damaged file reach into infinity a plane parts nothing.
+        let parted = plane.map(|plane| self.part(order, plane)).filter(|middle| (1..order.len()).contains(middle));
+        let middle = parted.unwrap_or_else(|| halve(self.places, self.extent(order), order));
         let (left_order, right_order) = order.split_at_mut(middle);
         // A tree over n boxes has 2n − 1 nodes.
         let (node, others) = nodes.split_at_mut(1);
@@ -273,6 +272,16 @@ mod tests {
         }
         // Halving alone is never too deep for as many as 32 bits can count.
         assert!(levels(u32::MAX as usize) <= MAX_INSTANCE_DEPTH);
+    }
+
+    #[test]
+    fn boxes_without_end_or_number_are_leaves_as_well() {
+        let odd = [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MAX, 0.0, 1.0];
+        let boxes: Vec<_> = (0..216).map(|i| (Vec3::new(odd[i % 6], odd[i / 6 % 6], odd[i / 36]), Vec3::ONE)).collect();
+        for most_levels in [levels(boxes.len()), MAX_INSTANCE_DEPTH] {
+            let leaves = tree(&boxes, most_levels).iter().filter(|node| matches!(node, Shape::Leaf(_))).count();
+            assert_eq!(leaves, boxes.len());
+        }
     }
 
     #[test]
