@@ -111,6 +111,7 @@ pub(crate) fn cube_of(voxel: IVec3) -> IVec3 {
 }
 
 /// What a node sends along all six directions.
+#[inline(never)]
 pub(super) fn power_of(node: &LightNode) -> f32 {
     node.power.iter().sum()
 }
@@ -141,24 +142,14 @@ pub(crate) fn tree_of_cubes(cubes: &[(IVec3, LightNode)]) -> Vec<Shape> {
 /// Appends the tree over `emitters`, the first of which has the number `first`, of one grid.
 fn append_tree(emitters: &[Emitter], first: usize, nodes: &mut Vec<LightNode>) {
     // The voxels of a cube follow each other in Morton order.
-    let mut start = first;
-    let cubes: Vec<(usize, &[Emitter])> = emitters
-        .chunk_by(|a, b| cube_of(a.voxel) == cube_of(b.voxel))
-        .map(|cube| {
-            start += cube.len();
-            (start - cube.len(), cube)
-        })
-        .collect();
-    let trees: Vec<Vec<LightNode>> = cubes
-        .par_iter()
-        .map(|&(first, cube)| {
-            let mut nodes = Vec::with_capacity(cube.len());
-            split(cube, first, &mut nodes);
-            nodes
-        })
-        .collect();
-    let roots: Vec<(IVec3, LightNode)> =
-        cubes.iter().zip(&trees).map(|((_, cube), tree)| (cube_of(cube[0].voxel), tree[0])).collect();
+    let (mut start, mut roots, mut trees) = (first, Vec::new(), Vec::new());
+    for cube in emitters.chunk_by(|a, b| cube_of(a.voxel) == cube_of(b.voxel)) {
+        let mut tree = Vec::new();
+        split(cube, start, &mut tree);
+        roots.push((cube_of(cube[0].voxel), tree[0]));
+        trees.push(tree);
+        start += cube.len();
+    }
     let shape = tree_of_cubes(&roots);
     append_shape(&shape, 0, &trees, nodes);
 }
@@ -256,6 +247,7 @@ fn split(emitters: &[Emitter], first: usize, nodes: &mut Vec<LightNode>) {
 }
 
 /// A leaf of emitters, the first of which has the number `first`.
+#[inline(never)]
 pub(crate) fn leaf_of(emitters: &[Emitter], first: usize) -> LightNode {
     let mut node = LightNode { index: first as u32, count: emitters.len() as u32, ..LightNode::EMPTY };
     for emitter in emitters {
@@ -270,6 +262,7 @@ pub(crate) fn leaf_of(emitters: &[Emitter], first: usize) -> LightNode {
 
 impl LightNode {
     /// An inner node, whose `right` child has a number of its own.
+    #[inline(never)]
     pub(crate) fn over(left: &Self, right: u32, right_node: &Self) -> Self {
         Self {
             min: left.min.min(right_node.min),
@@ -282,6 +275,7 @@ impl LightNode {
 }
 
 /// Tells each node from `root` on its parent and each emitter its leaf.
+#[inline(never)]
 fn link(root: usize, nodes: &mut [LightNode], emitters: &mut [Emitter]) {
     for at in root..nodes.len() {
         let (index, count) = (nodes[at].index as usize, nodes[at].count as usize);

@@ -142,6 +142,7 @@ impl Boxes<'_> {
     }
 
     /// The least and the greatest place along each axis.
+    #[inline(never)]
     fn extent(&self, order: &[u32]) -> (Vec3, Vec3) {
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for &i in order {
@@ -158,6 +159,7 @@ impl Boxes<'_> {
     }
 
     /// The plane with the least cost, the middle one where none can be told; `None` where all places are the same.
+    #[inline(never)]
     fn best_plane(&self, order: &[u32]) -> Option<Plane> {
         let (low, high) = self.extent(order);
         let mut best: Option<(f32, Plane)> = None;
@@ -187,6 +189,7 @@ impl Boxes<'_> {
     }
 
     /// Puts the boxes before a plane first, and says how many they are.
+    #[inline(never)]
     fn part(&self, order: &mut [u32], plane: Plane) -> usize {
         let mut middle = 0;
         for i in 0..order.len() {
@@ -205,6 +208,7 @@ fn widest(low: Vec3, high: Vec3) -> usize {
 }
 
 /// Puts the half of the boxes with the lower places along their widest axis first, and says how many they are.
+#[inline(never)]
 fn halve(places: &[Vec3], (low, high): (Vec3, Vec3), order: &mut [u32]) -> usize {
     let axis = widest(low, high);
     let half = order.len() / 2;
