@@ -21,9 +21,10 @@ fn reach(toward: Vec3, half: Vec3) -> Vec3 {
     toward.abs().max(half)
 }
 
-/// The same were its emitters where its box is nearest, but for this share of half the box.
+/// How near a node is taken to be at least where its box is nearest, along each axis, of half the box.
 pub(super) const NEAREST_SHARE: f32 = 0.03125;
 
+/// As [`reach`], were all emitters where the box is nearest.
 fn nearest(toward: Vec3, half: Vec3) -> Vec3 {
     (toward.abs() - half).max(half * NEAREST_SHARE)
 }
