@@ -111,32 +111,30 @@ pub(crate) fn cube_of(voxel: IVec3) -> IVec3 {
 }
 
 /// What a node sends along all six directions.
-#[inline(never)]
-pub(super) fn power_of(node: &LightNode) -> f32 {
+fn power_of(node: &LightNode) -> f32 {
     node.power.iter().sum()
 }
 
 /// The square of how far what emits is spread over a box of this size.
-pub(super) fn spread_of(size: Vec3) -> f32 {
+fn spread_of(size: Vec3) -> f32 {
     size.length_squared()
+}
+
+/// The shape of the tree of least cost over these nodes, which planes part by their `places`, and by these alone where it is `by_planes`.
+pub(super) fn tree_over(nodes: &[LightNode], places: &[Vec3], by_planes: bool) -> Vec<Shape> {
+    let boxes: Vec<(Vec3, Vec3)> = nodes.iter().map(|node| (node.min, node.max)).collect();
+    let weights: Vec<f32> = nodes.iter().map(power_of).collect();
+    let (boxes, weights, most_levels) = (&boxes, &weights, MAX_INSTANCE_DEPTH);
+    Boxes { boxes, places, weights, measure: spread_of, most_levels, by_planes }.tree()
 }
 
 /// The shape of the tree over cubes: for each, where it is and the root of its subtree.
 pub(crate) fn tree_of_cubes(cubes: &[(IVec3, LightNode)]) -> Vec<Shape> {
-    let boxes: Vec<(Vec3, Vec3)> = cubes.iter().map(|(_, root)| (root.min, root.max)).collect();
     let low = cubes.iter().fold(IVec3::MAX, |low, (cube, _)| low.min(*cube));
     let places: Vec<Vec3> = cubes.iter().map(|(cube, _)| (cube - low).as_vec3()).collect();
-    let weights: Vec<f32> = cubes.iter().map(|(_, root)| power_of(root)).collect();
-    let split = Boxes {
-        boxes: &boxes,
-        places: &places,
-        weights: &weights,
-        measure: spread_of,
-        most_levels: MAX_INSTANCE_DEPTH,
-        // A way down finds an emitter by which side it is on.
-        by_planes: true,
-    };
-    split.tree()
+    let roots: Vec<LightNode> = cubes.iter().map(|(_, root)| *root).collect();
+    // A way down finds an emitter by which side it is on.
+    tree_over(&roots, &places, true)
 }
 
 /// Appends the tree over `emitters`, the first of which has the number `first`, of one grid.

@@ -2,9 +2,9 @@
 //! world space (Moreau, Pharr and Clarberg, "Dynamic Many-Light Sampling for Real-Time Ray Tracing", HPG 2019, has such
 //! two levels).
 
-use super::lights::{power_of, spread_of};
-use super::sah_tree::{Boxes, Shape, centers};
-use super::{Geometry, LightNode, MAX_INSTANCE_DEPTH, PackedInstance};
+use super::lights::tree_over;
+use super::sah_tree::Shape;
+use super::{Geometry, LightNode, PackedInstance};
 use glam::Vec3;
 use rayon::prelude::*;
 use voxtrace_scene::ray::FACES;
@@ -17,17 +17,8 @@ pub(super) fn top_lights_of(geometry: &Geometry, instances: &mut [PackedInstance
             Some(in_world(instance, index as u32, root, &geometry.light_nodes[root as usize]))
         })
         .collect();
-    let boxes: Vec<(Vec3, Vec3)> = leaves.iter().map(|leaf| (leaf.min, leaf.max)).collect();
-    let (places, weights) = (centers(&boxes), leaves.iter().map(power_of).collect::<Vec<_>>());
-    let split = Boxes {
-        boxes: &boxes,
-        places: &places,
-        weights: &weights,
-        measure: spread_of,
-        most_levels: MAX_INSTANCE_DEPTH,
-        by_planes: false,
-    };
-    let shape = split.tree();
+    let places: Vec<Vec3> = leaves.iter().map(|leaf| leaf.min + leaf.max).collect();
+    let shape = tree_over(&leaves, &places, false);
     let mut nodes = vec![LightNode::EMPTY; shape.len()];
     instances.iter_mut().for_each(|instance| instance.light_leaf = LightNode::NONE);
     // Children come after their parents.
