@@ -366,7 +366,6 @@ fn center_of_0( index_9 : u32) -> Center_0
     return center_0;
 }
 
-var<private> HAT_0 : array<f32, i32(2)> = array<f32, i32(2)>( 0.5f, 0.25f );
 fn Center_alike_0( this_0 : Center_0,  index_10 : u32) -> f32
 {
     var surface_1 : vec4<u32> = memory_row_0(u32(0), index_10);
@@ -395,12 +394,13 @@ fn smooth_light_0( at_7 : vec2<i32>)
     var own_1 : vec4<f32> = color_in_0(u32(0), index_11);
     var _S13 : vec4<f32> = color_in_0(u32(2), index_11);
     var kept_0 : vec4<f32> = _S13;
+    var paths_0 : f32 = low_half_0(memory_row_0(u32(1), index_11).x);
     var _S14 : vec3<f32> = _S13.xyz + details_0(at_7, i32(3));
     kept_0.x = _S14.x;
     kept_0.y = _S14.y;
     kept_0.z = _S14.z;
     var fall_0 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_11).x)) < 7.5f)
+    if(paths_0 < 7.5f)
     {
         fall_0 = 0.80000001192092896f;
     }
@@ -411,17 +411,37 @@ fn smooth_light_0( at_7 : vec2<i32>)
     kept_0[i32(3)] = max(kept_0.w * fall_0, min(kept_0.w, 2.5f));
     set_color_0(u32(2), index_11, kept_0);
     var _S15 : Center_0 = center_of_0(index_11);
-    var _S16 : vec3<f32> = own_1.xyz;
-    var own_luminance_0 : f32 = luminance_0(_S16);
-    var _S17 : f32 = own_1.w;
-    var own_variance_0 : f32 = _S17 * _S17;
-    var _S18 : f32 = 1.0f / (kept_0.w * kept_0.w * (own_variance_0 + 9.99999997475242708e-07f * own_luminance_0 * own_luminance_0 + 9.999999960041972e-13f));
-    var _S19 : vec3<f32> = _S16 * vec3<f32>(0.25f);
-    var _S20 : f32 = own_variance_0 * 0.0625f;
+    var middle_0 : f32;
+    if(paths_0 < 31.5f)
+    {
+        middle_0 = 0.5f;
+    }
+    else
+    {
+        middle_0 = 0.60000002384185791f;
+    }
+    var _S16 : vec2<f32> = vec2<f32>(middle_0, 0.5f * (1.0f - middle_0));
+    var _S17 : vec3<f32> = own_1.xyz;
+    var own_luminance_0 : f32 = luminance_0(_S17);
+    var _S18 : f32 = own_1.w;
+    var own_variance_0 : f32 = _S18 * _S18;
+    var square_0 : f32 = kept_0.w * kept_0.w;
+    var _S19 : f32 = square_0 * (own_variance_0 + 9.99999997475242708e-07f * own_luminance_0 * own_luminance_0 + 9.999999960041972e-13f);
+    if(paths_0 < 3.5f)
+    {
+        fall_0 = 0.0f;
+    }
+    else
+    {
+        fall_0 = square_0 * (0.20000000298023224f / paths_0);
+    }
+    var own_weight_0 : f32 = middle_0 * middle_0;
+    var _S20 : vec3<f32> = _S17 * vec3<f32>(own_weight_0);
+    var _S21 : f32 = own_variance_0 * (own_weight_0 * own_weight_0);
     var dy_2 : i32 = i32(-1);
-    var color_2 : vec3<f32> = _S19;
-    var variance_0 : f32 = _S20;
-    var weights_0 : f32 = 0.25f;
+    var color_2 : vec3<f32> = _S20;
+    var variance_0 : f32 = _S21;
+    var weights_0 : f32 = own_weight_0;
     for(;;)
     {
         if(dy_2 <= i32(1))
@@ -445,39 +465,39 @@ fn smooth_light_0( at_7 : vec2<i32>)
                 break;
             }
             var other_3 : vec2<i32> = at_7 + ((vec2<i32>(dx_2, dy_2) << (vec2<u32>(u32(4)))));
-            var _S21 : bool;
+            var _S22 : bool;
             if(dx_2 == i32(0))
             {
-                _S21 = dy_2 == i32(0);
+                _S22 = dy_2 == i32(0);
             }
             else
             {
-                _S21 = false;
+                _S22 = false;
             }
-            var _S22 : bool;
-            if(_S21)
-            {
-                _S22 = true;
-            }
-            else
-            {
-                _S22 = !is_inside_0(other_3);
-            }
+            var _S23 : bool;
             if(_S22)
+            {
+                _S23 = true;
+            }
+            else
+            {
+                _S23 = !is_inside_0(other_3);
+            }
+            if(_S23)
             {
                 dx_2 = dx_2 + i32(1);
                 continue;
             }
             var beside_0 : u32 = index_of_0(vec2<u32>(other_3));
             var light_0 : vec4<f32> = color_in_0(u32(0), beside_0);
-            var _S23 : vec3<f32> = light_0.xyz;
-            var difference_0 : f32 = luminance_0(_S23) - own_luminance_0;
-            var _S24 : f32 = max(1.0f - difference_0 * difference_0 * _S18, 0.0f);
-            var weight_0 : f32 = HAT_0[abs(dx_2)] * HAT_0[abs(dy_2)] * Center_alike_0(_S15, beside_0) * _S24 * _S24;
+            var _S24 : vec3<f32> = light_0.xyz;
+            var difference_0 : f32 = luminance_0(_S24) - own_luminance_0;
             var _S25 : f32 = light_0.w;
+            var _S26 : f32 = max(1.0f - difference_0 * difference_0 / (_S19 + fall_0 * (_S25 * _S25)), 0.0f);
+            var weight_0 : f32 = _S16[abs(dx_2)] * _S16[abs(dy_2)] * Center_alike_0(_S15, beside_0) * _S26 * _S26;
             var variance_2 : f32 = variance_1 + weight_0 * weight_0 * _S25 * _S25;
             var weights_2 : f32 = weights_1 + weight_0;
-            color_3 = color_3 + _S23 * vec3<f32>(weight_0);
+            color_3 = color_3 + _S24 * vec3<f32>(weight_0);
             variance_1 = variance_2;
             weights_1 = weights_2;
             dx_2 = dx_2 + i32(1);
@@ -491,8 +511,8 @@ fn smooth_light_0( at_7 : vec2<i32>)
     var color_4 : vec3<f32> = color_2 * vec3<f32>(over_0);
     var variance_3 : f32 = variance_0 * (over_0 * over_0);
     set_color_0(u32(1), index_11, vec4<f32>(color_4, sqrt(variance_3)));
-    var detail_0 : f32 = luminance_0(_S16 - color_4);
-    set_numbers_0(u32(5), index_11, vec2<f32>(detail_0 * detail_0, max(own_variance_0 * (1.0f - 0.5f * over_0) + variance_3, 0.0f)));
+    var detail_0 : f32 = luminance_0(_S17 - color_4);
+    set_numbers_0(u32(5), index_11, vec2<f32>(detail_0 * detail_0, max(own_variance_0 * (1.0f - 2.0f * own_weight_0 * over_0) + variance_3, 0.0f)));
     return;
 }
 
@@ -500,14 +520,15 @@ fn smooth_light_1( at_8 : vec2<i32>)
 {
     var index_12 : u32 = index_of_0(vec2<u32>(at_8));
     var own_2 : vec4<f32> = color_in_0(u32(1), index_12);
-    var _S26 : vec4<f32> = color_in_0(u32(2), index_12);
-    var kept_1 : vec4<f32> = _S26;
-    var _S27 : vec3<f32> = _S26.xyz + details_0(at_8, i32(2));
-    kept_1.x = _S27.x;
-    kept_1.y = _S27.y;
-    kept_1.z = _S27.z;
+    var _S27 : vec4<f32> = color_in_0(u32(2), index_12);
+    var kept_1 : vec4<f32> = _S27;
+    var paths_1 : f32 = low_half_0(memory_row_0(u32(1), index_12).x);
+    var _S28 : vec3<f32> = _S27.xyz + details_0(at_8, i32(2));
+    kept_1.x = _S28.x;
+    kept_1.y = _S28.y;
+    kept_1.z = _S28.z;
     var fall_1 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_12).x)) < 7.5f)
+    if(paths_1 < 7.5f)
     {
         fall_1 = 0.80000001192092896f;
     }
@@ -517,18 +538,38 @@ fn smooth_light_1( at_8 : vec2<i32>)
     }
     kept_1[i32(3)] = max(kept_1.w * fall_1, min(kept_1.w, 2.5f));
     set_color_0(u32(2), index_12, kept_1);
-    var _S28 : Center_0 = center_of_0(index_12);
-    var _S29 : vec3<f32> = own_2.xyz;
-    var own_luminance_1 : f32 = luminance_0(_S29);
-    var _S30 : f32 = own_2.w;
-    var own_variance_1 : f32 = _S30 * _S30;
-    var _S31 : f32 = 1.0f / (kept_1.w * kept_1.w * (own_variance_1 + 9.99999997475242708e-07f * own_luminance_1 * own_luminance_1 + 9.999999960041972e-13f));
-    var _S32 : vec3<f32> = _S29 * vec3<f32>(0.25f);
-    var _S33 : f32 = own_variance_1 * 0.0625f;
+    var _S29 : Center_0 = center_of_0(index_12);
+    var middle_1 : f32;
+    if(paths_1 < 31.5f)
+    {
+        middle_1 = 0.5f;
+    }
+    else
+    {
+        middle_1 = 0.60000002384185791f;
+    }
+    var _S30 : vec2<f32> = vec2<f32>(middle_1, 0.5f * (1.0f - middle_1));
+    var _S31 : vec3<f32> = own_2.xyz;
+    var own_luminance_1 : f32 = luminance_0(_S31);
+    var _S32 : f32 = own_2.w;
+    var own_variance_1 : f32 = _S32 * _S32;
+    var square_1 : f32 = kept_1.w * kept_1.w;
+    var _S33 : f32 = square_1 * (own_variance_1 + 9.99999997475242708e-07f * own_luminance_1 * own_luminance_1 + 9.999999960041972e-13f);
+    if(paths_1 < 3.5f)
+    {
+        fall_1 = 0.0f;
+    }
+    else
+    {
+        fall_1 = square_1 * (0.20000000298023224f / paths_1);
+    }
+    var own_weight_1 : f32 = middle_1 * middle_1;
+    var _S34 : vec3<f32> = _S31 * vec3<f32>(own_weight_1);
+    var _S35 : f32 = own_variance_1 * (own_weight_1 * own_weight_1);
     var dy_3 : i32 = i32(-1);
-    var color_5 : vec3<f32> = _S32;
-    var variance_4 : f32 = _S33;
-    var weights_3 : f32 = 0.25f;
+    var color_5 : vec3<f32> = _S34;
+    var variance_4 : f32 = _S35;
+    var weights_3 : f32 = own_weight_1;
     for(;;)
     {
         if(dy_3 <= i32(1))
@@ -552,39 +593,39 @@ fn smooth_light_1( at_8 : vec2<i32>)
                 break;
             }
             var other_4 : vec2<i32> = at_8 + ((vec2<i32>(dx_3, dy_3) << (vec2<u32>(u32(3)))));
-            var _S34 : bool;
+            var _S36 : bool;
             if(dx_3 == i32(0))
             {
-                _S34 = dy_3 == i32(0);
+                _S36 = dy_3 == i32(0);
             }
             else
             {
-                _S34 = false;
+                _S36 = false;
             }
-            var _S35 : bool;
-            if(_S34)
+            var _S37 : bool;
+            if(_S36)
             {
-                _S35 = true;
+                _S37 = true;
             }
             else
             {
-                _S35 = !is_inside_0(other_4);
+                _S37 = !is_inside_0(other_4);
             }
-            if(_S35)
+            if(_S37)
             {
                 dx_3 = dx_3 + i32(1);
                 continue;
             }
             var beside_1 : u32 = index_of_0(vec2<u32>(other_4));
             var light_1 : vec4<f32> = color_in_0(u32(1), beside_1);
-            var _S36 : vec3<f32> = light_1.xyz;
-            var difference_1 : f32 = luminance_0(_S36) - own_luminance_1;
-            var _S37 : f32 = max(1.0f - difference_1 * difference_1 * _S31, 0.0f);
-            var weight_1 : f32 = HAT_0[abs(dx_3)] * HAT_0[abs(dy_3)] * Center_alike_0(_S28, beside_1) * _S37 * _S37;
-            var _S38 : f32 = light_1.w;
-            var variance_6 : f32 = variance_5 + weight_1 * weight_1 * _S38 * _S38;
+            var _S38 : vec3<f32> = light_1.xyz;
+            var difference_1 : f32 = luminance_0(_S38) - own_luminance_1;
+            var _S39 : f32 = light_1.w;
+            var _S40 : f32 = max(1.0f - difference_1 * difference_1 / (_S33 + fall_1 * (_S39 * _S39)), 0.0f);
+            var weight_1 : f32 = _S30[abs(dx_3)] * _S30[abs(dy_3)] * Center_alike_0(_S29, beside_1) * _S40 * _S40;
+            var variance_6 : f32 = variance_5 + weight_1 * weight_1 * _S39 * _S39;
             var weights_5 : f32 = weights_4 + weight_1;
-            color_6 = color_6 + _S36 * vec3<f32>(weight_1);
+            color_6 = color_6 + _S38 * vec3<f32>(weight_1);
             variance_5 = variance_6;
             weights_4 = weights_5;
             dx_3 = dx_3 + i32(1);
@@ -598,8 +639,8 @@ fn smooth_light_1( at_8 : vec2<i32>)
     var color_7 : vec3<f32> = color_5 * vec3<f32>(over_1);
     var variance_7 : f32 = variance_4 * (over_1 * over_1);
     set_color_0(u32(0), index_12, vec4<f32>(color_7, sqrt(variance_7)));
-    var detail_1 : f32 = luminance_0(_S29 - color_7);
-    set_numbers_0(u32(6), index_12, vec2<f32>(detail_1 * detail_1, max(own_variance_1 * (1.0f - 0.5f * over_1) + variance_7, 0.0f)));
+    var detail_1 : f32 = luminance_0(_S31 - color_7);
+    set_numbers_0(u32(6), index_12, vec2<f32>(detail_1 * detail_1, max(own_variance_1 * (1.0f - 2.0f * own_weight_1 * over_1) + variance_7, 0.0f)));
     return;
 }
 
@@ -607,14 +648,15 @@ fn smooth_light_2( at_9 : vec2<i32>)
 {
     var index_13 : u32 = index_of_0(vec2<u32>(at_9));
     var own_3 : vec4<f32> = color_in_0(u32(0), index_13);
-    var _S39 : vec4<f32> = color_in_0(u32(2), index_13);
-    var kept_2 : vec4<f32> = _S39;
-    var _S40 : vec3<f32> = _S39.xyz + details_0(at_9, i32(1));
-    kept_2.x = _S40.x;
-    kept_2.y = _S40.y;
-    kept_2.z = _S40.z;
+    var _S41 : vec4<f32> = color_in_0(u32(2), index_13);
+    var kept_2 : vec4<f32> = _S41;
+    var paths_2 : f32 = low_half_0(memory_row_0(u32(1), index_13).x);
+    var _S42 : vec3<f32> = _S41.xyz + details_0(at_9, i32(1));
+    kept_2.x = _S42.x;
+    kept_2.y = _S42.y;
+    kept_2.z = _S42.z;
     var fall_2 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_13).x)) < 7.5f)
+    if(paths_2 < 7.5f)
     {
         fall_2 = 0.80000001192092896f;
     }
@@ -624,18 +666,38 @@ fn smooth_light_2( at_9 : vec2<i32>)
     }
     kept_2[i32(3)] = max(kept_2.w * fall_2, min(kept_2.w, 2.5f));
     set_color_0(u32(2), index_13, kept_2);
-    var _S41 : Center_0 = center_of_0(index_13);
-    var _S42 : vec3<f32> = own_3.xyz;
-    var own_luminance_2 : f32 = luminance_0(_S42);
-    var _S43 : f32 = own_3.w;
-    var own_variance_2 : f32 = _S43 * _S43;
-    var _S44 : f32 = 1.0f / (kept_2.w * kept_2.w * (own_variance_2 + 9.99999997475242708e-07f * own_luminance_2 * own_luminance_2 + 9.999999960041972e-13f));
-    var _S45 : vec3<f32> = _S42 * vec3<f32>(0.25f);
-    var _S46 : f32 = own_variance_2 * 0.0625f;
+    var _S43 : Center_0 = center_of_0(index_13);
+    var middle_2 : f32;
+    if(paths_2 < 31.5f)
+    {
+        middle_2 = 0.5f;
+    }
+    else
+    {
+        middle_2 = 0.60000002384185791f;
+    }
+    var _S44 : vec2<f32> = vec2<f32>(middle_2, 0.5f * (1.0f - middle_2));
+    var _S45 : vec3<f32> = own_3.xyz;
+    var own_luminance_2 : f32 = luminance_0(_S45);
+    var _S46 : f32 = own_3.w;
+    var own_variance_2 : f32 = _S46 * _S46;
+    var square_2 : f32 = kept_2.w * kept_2.w;
+    var _S47 : f32 = square_2 * (own_variance_2 + 9.99999997475242708e-07f * own_luminance_2 * own_luminance_2 + 9.999999960041972e-13f);
+    if(paths_2 < 3.5f)
+    {
+        fall_2 = 0.0f;
+    }
+    else
+    {
+        fall_2 = square_2 * (0.20000000298023224f / paths_2);
+    }
+    var own_weight_2 : f32 = middle_2 * middle_2;
+    var _S48 : vec3<f32> = _S45 * vec3<f32>(own_weight_2);
+    var _S49 : f32 = own_variance_2 * (own_weight_2 * own_weight_2);
     var dy_4 : i32 = i32(-1);
-    var color_8 : vec3<f32> = _S45;
-    var variance_8 : f32 = _S46;
-    var weights_6 : f32 = 0.25f;
+    var color_8 : vec3<f32> = _S48;
+    var variance_8 : f32 = _S49;
+    var weights_6 : f32 = own_weight_2;
     for(;;)
     {
         if(dy_4 <= i32(1))
@@ -659,39 +721,39 @@ fn smooth_light_2( at_9 : vec2<i32>)
                 break;
             }
             var other_5 : vec2<i32> = at_9 + ((vec2<i32>(dx_4, dy_4) << (vec2<u32>(u32(2)))));
-            var _S47 : bool;
+            var _S50 : bool;
             if(dx_4 == i32(0))
             {
-                _S47 = dy_4 == i32(0);
+                _S50 = dy_4 == i32(0);
             }
             else
             {
-                _S47 = false;
+                _S50 = false;
             }
-            var _S48 : bool;
-            if(_S47)
+            var _S51 : bool;
+            if(_S50)
             {
-                _S48 = true;
+                _S51 = true;
             }
             else
             {
-                _S48 = !is_inside_0(other_5);
+                _S51 = !is_inside_0(other_5);
             }
-            if(_S48)
+            if(_S51)
             {
                 dx_4 = dx_4 + i32(1);
                 continue;
             }
             var beside_2 : u32 = index_of_0(vec2<u32>(other_5));
             var light_2 : vec4<f32> = color_in_0(u32(0), beside_2);
-            var _S49 : vec3<f32> = light_2.xyz;
-            var difference_2 : f32 = luminance_0(_S49) - own_luminance_2;
-            var _S50 : f32 = max(1.0f - difference_2 * difference_2 * _S44, 0.0f);
-            var weight_2 : f32 = HAT_0[abs(dx_4)] * HAT_0[abs(dy_4)] * Center_alike_0(_S41, beside_2) * _S50 * _S50;
-            var _S51 : f32 = light_2.w;
-            var variance_10 : f32 = variance_9 + weight_2 * weight_2 * _S51 * _S51;
+            var _S52 : vec3<f32> = light_2.xyz;
+            var difference_2 : f32 = luminance_0(_S52) - own_luminance_2;
+            var _S53 : f32 = light_2.w;
+            var _S54 : f32 = max(1.0f - difference_2 * difference_2 / (_S47 + fall_2 * (_S53 * _S53)), 0.0f);
+            var weight_2 : f32 = _S44[abs(dx_4)] * _S44[abs(dy_4)] * Center_alike_0(_S43, beside_2) * _S54 * _S54;
+            var variance_10 : f32 = variance_9 + weight_2 * weight_2 * _S53 * _S53;
             var weights_8 : f32 = weights_7 + weight_2;
-            color_9 = color_9 + _S49 * vec3<f32>(weight_2);
+            color_9 = color_9 + _S52 * vec3<f32>(weight_2);
             variance_9 = variance_10;
             weights_7 = weights_8;
             dx_4 = dx_4 + i32(1);
@@ -705,8 +767,8 @@ fn smooth_light_2( at_9 : vec2<i32>)
     var color_10 : vec3<f32> = color_8 * vec3<f32>(over_2);
     var variance_11 : f32 = variance_8 * (over_2 * over_2);
     set_color_0(u32(1), index_13, vec4<f32>(color_10, sqrt(variance_11)));
-    var detail_2 : f32 = luminance_0(_S42 - color_10);
-    set_numbers_0(u32(5), index_13, vec2<f32>(detail_2 * detail_2, max(own_variance_2 * (1.0f - 0.5f * over_2) + variance_11, 0.0f)));
+    var detail_2 : f32 = luminance_0(_S45 - color_10);
+    set_numbers_0(u32(5), index_13, vec2<f32>(detail_2 * detail_2, max(own_variance_2 * (1.0f - 2.0f * own_weight_2 * over_2) + variance_11, 0.0f)));
     return;
 }
 
@@ -714,14 +776,15 @@ fn smooth_light_3( at_10 : vec2<i32>)
 {
     var index_14 : u32 = index_of_0(vec2<u32>(at_10));
     var own_4 : vec4<f32> = color_in_0(u32(1), index_14);
-    var _S52 : vec4<f32> = color_in_0(u32(2), index_14);
-    var kept_3 : vec4<f32> = _S52;
-    var _S53 : vec3<f32> = _S52.xyz + details_0(at_10, i32(0));
-    kept_3.x = _S53.x;
-    kept_3.y = _S53.y;
-    kept_3.z = _S53.z;
+    var _S55 : vec4<f32> = color_in_0(u32(2), index_14);
+    var kept_3 : vec4<f32> = _S55;
+    var paths_3 : f32 = low_half_0(memory_row_0(u32(1), index_14).x);
+    var _S56 : vec3<f32> = _S55.xyz + details_0(at_10, i32(0));
+    kept_3.x = _S56.x;
+    kept_3.y = _S56.y;
+    kept_3.z = _S56.z;
     var fall_3 : f32;
-    if((low_half_0(memory_row_0(u32(1), index_14).x)) < 7.5f)
+    if(paths_3 < 7.5f)
     {
         fall_3 = 0.80000001192092896f;
     }
@@ -731,18 +794,38 @@ fn smooth_light_3( at_10 : vec2<i32>)
     }
     kept_3[i32(3)] = max(kept_3.w * fall_3, min(kept_3.w, 2.5f));
     set_color_0(u32(2), index_14, kept_3);
-    var _S54 : Center_0 = center_of_0(index_14);
-    var _S55 : vec3<f32> = own_4.xyz;
-    var own_luminance_3 : f32 = luminance_0(_S55);
-    var _S56 : f32 = own_4.w;
-    var own_variance_3 : f32 = _S56 * _S56;
-    var _S57 : f32 = 1.0f / (kept_3.w * kept_3.w * (own_variance_3 + 9.99999997475242708e-07f * own_luminance_3 * own_luminance_3 + 9.999999960041972e-13f));
-    var _S58 : vec3<f32> = _S55 * vec3<f32>(0.25f);
-    var _S59 : f32 = own_variance_3 * 0.0625f;
+    var _S57 : Center_0 = center_of_0(index_14);
+    var middle_3 : f32;
+    if(paths_3 < 31.5f)
+    {
+        middle_3 = 0.5f;
+    }
+    else
+    {
+        middle_3 = 0.60000002384185791f;
+    }
+    var _S58 : vec2<f32> = vec2<f32>(middle_3, 0.5f * (1.0f - middle_3));
+    var _S59 : vec3<f32> = own_4.xyz;
+    var own_luminance_3 : f32 = luminance_0(_S59);
+    var _S60 : f32 = own_4.w;
+    var own_variance_3 : f32 = _S60 * _S60;
+    var square_3 : f32 = kept_3.w * kept_3.w;
+    var _S61 : f32 = square_3 * (own_variance_3 + 9.99999997475242708e-07f * own_luminance_3 * own_luminance_3 + 9.999999960041972e-13f);
+    if(paths_3 < 3.5f)
+    {
+        fall_3 = 0.0f;
+    }
+    else
+    {
+        fall_3 = square_3 * (0.20000000298023224f / paths_3);
+    }
+    var own_weight_3 : f32 = middle_3 * middle_3;
+    var _S62 : vec3<f32> = _S59 * vec3<f32>(own_weight_3);
+    var _S63 : f32 = own_variance_3 * (own_weight_3 * own_weight_3);
     var dy_5 : i32 = i32(-1);
-    var color_11 : vec3<f32> = _S58;
-    var variance_12 : f32 = _S59;
-    var weights_9 : f32 = 0.25f;
+    var color_11 : vec3<f32> = _S62;
+    var variance_12 : f32 = _S63;
+    var weights_9 : f32 = own_weight_3;
     for(;;)
     {
         if(dy_5 <= i32(1))
@@ -766,39 +849,39 @@ fn smooth_light_3( at_10 : vec2<i32>)
                 break;
             }
             var other_6 : vec2<i32> = at_10 + ((vec2<i32>(dx_5, dy_5) << (vec2<u32>(u32(1)))));
-            var _S60 : bool;
+            var _S64 : bool;
             if(dx_5 == i32(0))
             {
-                _S60 = dy_5 == i32(0);
+                _S64 = dy_5 == i32(0);
             }
             else
             {
-                _S60 = false;
+                _S64 = false;
             }
-            var _S61 : bool;
-            if(_S60)
+            var _S65 : bool;
+            if(_S64)
             {
-                _S61 = true;
+                _S65 = true;
             }
             else
             {
-                _S61 = !is_inside_0(other_6);
+                _S65 = !is_inside_0(other_6);
             }
-            if(_S61)
+            if(_S65)
             {
                 dx_5 = dx_5 + i32(1);
                 continue;
             }
             var beside_3 : u32 = index_of_0(vec2<u32>(other_6));
             var light_3 : vec4<f32> = color_in_0(u32(1), beside_3);
-            var _S62 : vec3<f32> = light_3.xyz;
-            var difference_3 : f32 = luminance_0(_S62) - own_luminance_3;
-            var _S63 : f32 = max(1.0f - difference_3 * difference_3 * _S57, 0.0f);
-            var weight_3 : f32 = HAT_0[abs(dx_5)] * HAT_0[abs(dy_5)] * Center_alike_0(_S54, beside_3) * _S63 * _S63;
-            var _S64 : f32 = light_3.w;
-            var variance_14 : f32 = variance_13 + weight_3 * weight_3 * _S64 * _S64;
+            var _S66 : vec3<f32> = light_3.xyz;
+            var difference_3 : f32 = luminance_0(_S66) - own_luminance_3;
+            var _S67 : f32 = light_3.w;
+            var _S68 : f32 = max(1.0f - difference_3 * difference_3 / (_S61 + fall_3 * (_S67 * _S67)), 0.0f);
+            var weight_3 : f32 = _S58[abs(dx_5)] * _S58[abs(dy_5)] * Center_alike_0(_S57, beside_3) * _S68 * _S68;
+            var variance_14 : f32 = variance_13 + weight_3 * weight_3 * _S67 * _S67;
             var weights_11 : f32 = weights_10 + weight_3;
-            color_12 = color_12 + _S62 * vec3<f32>(weight_3);
+            color_12 = color_12 + _S66 * vec3<f32>(weight_3);
             variance_13 = variance_14;
             weights_10 = weights_11;
             dx_5 = dx_5 + i32(1);
@@ -812,8 +895,8 @@ fn smooth_light_3( at_10 : vec2<i32>)
     var color_13 : vec3<f32> = color_11 * vec3<f32>(over_3);
     var variance_15 : f32 = variance_12 * (over_3 * over_3);
     set_color_0(u32(0), index_14, vec4<f32>(color_13, sqrt(variance_15)));
-    var detail_3 : f32 = luminance_0(_S55 - color_13);
-    set_numbers_0(u32(6), index_14, vec2<f32>(detail_3 * detail_3, max(own_variance_3 * (1.0f - 0.5f * over_3) + variance_15, 0.0f)));
+    var detail_3 : f32 = luminance_0(_S59 - color_13);
+    set_numbers_0(u32(6), index_14, vec2<f32>(detail_3 * detail_3, max(own_variance_3 * (1.0f - 2.0f * own_weight_3 * over_3) + variance_15, 0.0f)));
     return;
 }
 
@@ -821,19 +904,42 @@ fn smooth_light_4( at_11 : vec2<i32>)
 {
     var index_15 : u32 = index_of_0(vec2<u32>(at_11));
     var own_5 : vec4<f32> = color_in_0(u32(0), index_15);
-    var _S65 : Center_0 = center_of_0(index_15);
-    var _S66 : vec3<f32> = own_5.xyz;
-    var own_luminance_4 : f32 = luminance_0(_S66);
-    var _S67 : f32 = own_5.w;
-    var own_variance_4 : f32 = _S67 * _S67;
-    var _S68 : f32 = color_in_0(u32(2), index_15).w;
-    var _S69 : f32 = 1.0f / (_S68 * _S68 * (own_variance_4 + 9.99999997475242708e-07f * own_luminance_4 * own_luminance_4 + 9.999999960041972e-13f));
-    var _S70 : vec3<f32> = _S66 * vec3<f32>(0.25f);
-    var _S71 : f32 = own_variance_4 * 0.0625f;
+    var kept_4 : vec4<f32> = color_in_0(u32(2), index_15);
+    var paths_4 : f32 = low_half_0(memory_row_0(u32(1), index_15).x);
+    var _S69 : Center_0 = center_of_0(index_15);
+    var middle_4 : f32;
+    if(paths_4 < 31.5f)
+    {
+        middle_4 = 0.5f;
+    }
+    else
+    {
+        middle_4 = 0.60000002384185791f;
+    }
+    var _S70 : vec2<f32> = vec2<f32>(middle_4, 0.5f * (1.0f - middle_4));
+    var _S71 : vec3<f32> = own_5.xyz;
+    var own_luminance_4 : f32 = luminance_0(_S71);
+    var _S72 : f32 = own_5.w;
+    var own_variance_4 : f32 = _S72 * _S72;
+    var _S73 : f32 = kept_4.w;
+    var square_4 : f32 = _S73 * _S73;
+    var _S74 : f32 = square_4 * (own_variance_4 + 9.99999997475242708e-07f * own_luminance_4 * own_luminance_4 + 9.999999960041972e-13f);
+    var _S75 : f32;
+    if(paths_4 < 3.5f)
+    {
+        _S75 = 0.0f;
+    }
+    else
+    {
+        _S75 = square_4 * (0.20000000298023224f / paths_4);
+    }
+    var own_weight_4 : f32 = middle_4 * middle_4;
+    var _S76 : vec3<f32> = _S71 * vec3<f32>(own_weight_4);
+    var _S77 : f32 = own_variance_4 * (own_weight_4 * own_weight_4);
     var dy_6 : i32 = i32(-1);
-    var color_14 : vec3<f32> = _S70;
-    var variance_16 : f32 = _S71;
-    var weights_12 : f32 = 0.25f;
+    var color_14 : vec3<f32> = _S76;
+    var variance_16 : f32 = _S77;
+    var weights_12 : f32 = own_weight_4;
     for(;;)
     {
         if(dy_6 <= i32(1))
@@ -857,39 +963,39 @@ fn smooth_light_4( at_11 : vec2<i32>)
                 break;
             }
             var other_7 : vec2<i32> = at_11 + ((vec2<i32>(dx_6, dy_6) << (vec2<u32>(u32(0)))));
-            var _S72 : bool;
+            var _S78 : bool;
             if(dx_6 == i32(0))
             {
-                _S72 = dy_6 == i32(0);
+                _S78 = dy_6 == i32(0);
             }
             else
             {
-                _S72 = false;
+                _S78 = false;
             }
-            var _S73 : bool;
-            if(_S72)
+            var _S79 : bool;
+            if(_S78)
             {
-                _S73 = true;
+                _S79 = true;
             }
             else
             {
-                _S73 = !is_inside_0(other_7);
+                _S79 = !is_inside_0(other_7);
             }
-            if(_S73)
+            if(_S79)
             {
                 dx_6 = dx_6 + i32(1);
                 continue;
             }
             var beside_4 : u32 = index_of_0(vec2<u32>(other_7));
             var light_4 : vec4<f32> = color_in_0(u32(0), beside_4);
-            var _S74 : vec3<f32> = light_4.xyz;
-            var difference_4 : f32 = luminance_0(_S74) - own_luminance_4;
-            var _S75 : f32 = max(1.0f - difference_4 * difference_4 * _S69, 0.0f);
-            var weight_4 : f32 = HAT_0[abs(dx_6)] * HAT_0[abs(dy_6)] * Center_alike_0(_S65, beside_4) * _S75 * _S75;
-            var _S76 : f32 = light_4.w;
-            var variance_18 : f32 = variance_17 + weight_4 * weight_4 * _S76 * _S76;
+            var _S80 : vec3<f32> = light_4.xyz;
+            var difference_4 : f32 = luminance_0(_S80) - own_luminance_4;
+            var _S81 : f32 = light_4.w;
+            var _S82 : f32 = max(1.0f - difference_4 * difference_4 / (_S74 + _S75 * (_S81 * _S81)), 0.0f);
+            var weight_4 : f32 = _S70[abs(dx_6)] * _S70[abs(dy_6)] * Center_alike_0(_S69, beside_4) * _S82 * _S82;
+            var variance_18 : f32 = variance_17 + weight_4 * weight_4 * _S81 * _S81;
             var weights_14 : f32 = weights_13 + weight_4;
-            color_15 = color_15 + _S74 * vec3<f32>(weight_4);
+            color_15 = color_15 + _S80 * vec3<f32>(weight_4);
             variance_17 = variance_18;
             weights_13 = weights_14;
             dx_6 = dx_6 + i32(1);
@@ -903,8 +1009,8 @@ fn smooth_light_4( at_11 : vec2<i32>)
     var color_16 : vec3<f32> = color_14 * vec3<f32>(over_4);
     var variance_19 : f32 = variance_16 * (over_4 * over_4);
     set_color_0(u32(1), index_15, vec4<f32>(color_16, sqrt(variance_19)));
-    var detail_4 : f32 = luminance_0(_S66 - color_16);
-    set_numbers_0(u32(5), index_15, vec2<f32>(detail_4 * detail_4, max(own_variance_4 * (1.0f - 0.5f * over_4) + variance_19, 0.0f)));
+    var detail_4 : f32 = luminance_0(_S71 - color_16);
+    set_numbers_0(u32(5), index_15, vec2<f32>(detail_4 * detail_4, max(own_variance_4 * (1.0f - 2.0f * own_weight_4 * over_4) + variance_19, 0.0f)));
     return;
 }
 
@@ -929,17 +1035,17 @@ fn set_cell_row_0( row_9 : u32,  cell_2 : u32,  value_2 : vec4<u32>)
 
 fn share_of_0( count_5 : u32,  room_0 : u32) -> u32
 {
-    var _S77 : u32;
+    var _S83 : u32;
     if(count_5 <= room_0)
     {
-        _S77 = u32(4294967295);
+        _S83 = u32(4294967295);
     }
     else
     {
-        var _S78 : u32 = u32(4294967295) / count_5;
-        _S77 = _S78 * room_0;
+        var _S84 : u32 = u32(4294967295) / count_5;
+        _S83 = _S84 * room_0;
     }
-    return _S77;
+    return _S83;
 }
 
 struct Key_0
@@ -951,24 +1057,24 @@ struct Key_0
 
 fn Key_x24init_0( instance_1 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S79 : Key_0;
-    _S79.instance_0 = instance_1;
-    _S79.face_and_level_0 = face_and_level_1;
-    _S79.cube_0 = cube_1;
-    return _S79;
+    var _S85 : Key_0;
+    _S85.instance_0 = instance_1;
+    _S85.face_and_level_0 = face_and_level_1;
+    _S85.cube_0 = cube_1;
+    return _S85;
 }
 
 fn pcg4d_0( words_1 : vec4<u32>) -> vec4<u32>
 {
-    var _S80 : vec4<u32> = words_1 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
-    var v_0 : vec4<u32> = _S80;
-    v_0[i32(0)] = v_0[i32(0)] + _S80.y * _S80.w;
+    var _S86 : vec4<u32> = words_1 * vec4<u32>(u32(1664525)) + vec4<u32>(u32(1013904223));
+    var v_0 : vec4<u32> = _S86;
+    v_0[i32(0)] = v_0[i32(0)] + _S86.y * _S86.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
-    var _S81 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
-    v_0 = _S81;
-    v_0[i32(0)] = v_0[i32(0)] + _S81.y * _S81.w;
+    var _S87 : vec4<u32> = (v_0 ^ (((v_0 >> (vec4<u32>(u32(16)))))));
+    v_0 = _S87;
+    v_0[i32(0)] = v_0[i32(0)] + _S87.y * _S87.w;
     v_0[i32(1)] = v_0[i32(1)] + v_0.z * v_0.x;
     v_0[i32(2)] = v_0[i32(2)] + v_0.x * v_0.y;
     v_0[i32(3)] = v_0[i32(3)] + v_0.y * v_0.z;
@@ -987,14 +1093,14 @@ fn place_of_chosen_0( number_1 : u32) -> u32
 
 fn choose_cell_0( cell_3 : u32)
 {
-    var _S82 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_3)]));
-    if(_S82 == u32(0))
+    var _S88 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_3)]));
+    if(_S88 == u32(0))
     {
         return;
     }
-    var _S83 : vec4<u32> = cell_row_0(u32(0), cell_3);
-    var light_5 : vec4<u32> = _S83;
-    if((bitcast<f32>((_S83.w))) > (real_time_0.cell_samples_0))
+    var _S89 : vec4<u32> = cell_row_0(u32(0), cell_3);
+    var light_5 : vec4<u32> = _S89;
+    if((bitcast<f32>((_S89.w))) > (real_time_0.cell_samples_0))
     {
         light_5[i32(3)] = (bitcast<u32>((real_time_0.cell_samples_0)));
         set_cell_row_0(u32(0), cell_3, light_5);
@@ -1022,13 +1128,13 @@ fn choose_cell_0( cell_3 : u32)
     var share_1 : u32;
     if((bitcast<f32>((light_5.w))) == 0.0f)
     {
-        var _S84 : u32 = share_of_0(new_cells_1, u32(65536));
-        share_1 = _S84;
+        var _S90 : u32 = share_of_0(new_cells_1, u32(65536));
+        share_1 = _S90;
     }
     else
     {
-        var _S85 : u32 = share_of_0(old_cells_1, u32(65536) - min(new_cells_1, u32(65536)));
-        share_1 = _S85;
+        var _S91 : u32 = share_of_0(old_cells_1, u32(65536) - min(new_cells_1, u32(65536)));
+        share_1 = _S91;
     }
     if((pcg4d_0(vec4<u32>(Key_hash_0(Key_x24init_0(face_0.x, face_0.y, vec3<i32>(cell_row_0(u32(2), cell_3).xyz))).x, real_time_0.number_0, u32(1), ((params_0.seed_0) ^ (u32(1540483477))))).x) > share_1)
     {
@@ -1061,9 +1167,9 @@ fn nearest_quotient_0( dividend_0 : u32,  divisor_0 : u32,  guess_0 : u32) -> u3
 {
     var rest_0 : i32 = i32(((dividend_0 << (u32(23)))) - guess_0 * divisor_0);
     var units_0 : i32 = i32(floor(f32(rest_0) * (1.0f / f32(divisor_0)) + 0.5f));
-    var _S86 : i32 = i32(divisor_0);
-    var _S87 : i32 = i32(2) * (rest_0 - units_0 * _S86);
-    return guess_0 + u32(units_0 + (i32(_S87 > _S86) - i32(_S87 < (- _S86))));
+    var _S92 : i32 = i32(divisor_0);
+    var _S93 : i32 = i32(2) * (rest_0 - units_0 * _S92);
+    return guess_0 + u32(units_0 + (i32(_S93 > _S92) - i32(_S93 < (- _S92))));
 }
 
 fn divide_0( a_1 : f32,  b_1 : f32) -> f32
@@ -1072,82 +1178,82 @@ fn divide_0( a_1 : f32,  b_1 : f32) -> f32
     {
         return a_1 / b_1;
     }
-    var _S88 : u32 = (bitcast<u32>((a_1)));
-    var exponent_a_0 : u32 = (((_S88 >> (u32(23)))) & (u32(255)));
-    var _S89 : u32 = (bitcast<u32>((b_1)));
-    var exponent_b_0 : u32 = (((_S89 >> (u32(23)))) & (u32(255)));
-    var dividend_1 : u32 = (((_S88 & (u32(8388607)))) | (u32(8388608)));
-    var divisor_1 : u32 = (((_S89 & (u32(8388607)))) | (u32(8388608)));
+    var _S94 : u32 = (bitcast<u32>((a_1)));
+    var exponent_a_0 : u32 = (((_S94 >> (u32(23)))) & (u32(255)));
+    var _S95 : u32 = (bitcast<u32>((b_1)));
+    var exponent_b_0 : u32 = (((_S95 >> (u32(23)))) & (u32(255)));
+    var dividend_1 : u32 = (((_S94 & (u32(8388607)))) | (u32(8388608)));
+    var divisor_1 : u32 = (((_S95 & (u32(8388607)))) | (u32(8388608)));
     var is_below_0 : u32 = u32(dividend_1 < divisor_1);
     var dividend_2 : u32 = (dividend_1 << (is_below_0));
     var exponent_1 : u32 = exponent_a_0 + u32(127) - exponent_b_0 - is_below_0;
-    var _S90 : bool;
+    var _S96 : bool;
     if(!is_normal_0(exponent_a_0))
     {
-        _S90 = true;
+        _S96 = true;
     }
     else
     {
-        _S90 = !is_normal_0(exponent_b_0);
+        _S96 = !is_normal_0(exponent_b_0);
     }
-    if(_S90)
+    if(_S96)
     {
-        _S90 = true;
+        _S96 = true;
     }
     else
     {
-        _S90 = !is_normal_0(exponent_1);
+        _S96 = !is_normal_0(exponent_1);
     }
-    if(_S90)
+    if(_S96)
     {
         return a_1 / b_1;
     }
-    return (bitcast<f32>(((((((_S88 ^ (_S89))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
+    return (bitcast<f32>(((((((_S94 ^ (_S95))) & (u32(2147483648)))) | ((((exponent_1 << (u32(23)))) + (nearest_quotient_0(dividend_2, divisor_1, u32(f32(dividend_2) * (1.0f / f32(divisor_1)) * 8.388608e+06f)) - u32(8388608))))))));
 }
 
 fn end_cell_0( cell_5 : u32)
 {
-    var _S91 : u32 = place_of_check_0(cell_5);
-    var _S92 : u32 = atomicLoad(&(cell_keys_0[_S91]));
-    if(_S92 == u32(0))
+    var _S97 : u32 = place_of_check_0(cell_5);
+    var _S98 : u32 = atomicLoad(&(cell_keys_0[_S97]));
+    if(_S98 == u32(0))
     {
         return;
     }
-    var _S93 : u32 = place_of_asked_0(cell_5);
-    var asked_0 : u32 = atomicLoad(&(cell_keys_0[_S93]));
+    var _S99 : u32 = place_of_asked_0(cell_5);
+    var asked_0 : u32 = atomicLoad(&(cell_keys_0[_S99]));
     var face_1 : vec4<u32> = cell_row_0(u32(1), cell_5);
     var found_0 : vec4<u32> = cell_row_0(u32(3), cell_5);
     var light_6 : vec4<u32> = cell_row_0(u32(0), cell_5);
     var light_7 : vec4<u32>;
     if((found_0.w) != u32(0))
     {
-        var _S94 : f32 = min((bitcast<f32>((light_6.w))) + 1.0f, 128.0f);
+        var _S100 : f32 = min((bitcast<f32>((light_6.w))) + 1.0f, 128.0f);
         var known_0 : vec3<f32> = (bitcast<vec3<f32>>((light_6.xyz)));
         var step_1 : vec3<f32> = (bitcast<vec3<f32>>((found_0.xyz))) - known_0;
-        var _S95 : vec4<u32> = vec4<u32>((bitcast<vec3<u32>>((known_0 + vec3<f32>(divide_0(step_1.x, _S94), divide_0(step_1.y, _S94), divide_0(step_1.z, _S94))))), (bitcast<u32>((_S94))));
+        var _S101 : vec4<u32> = vec4<u32>((bitcast<vec3<u32>>((known_0 + vec3<f32>(divide_0(step_1.x, _S100), divide_0(step_1.y, _S100), divide_0(step_1.z, _S100))))), (bitcast<u32>((_S100))));
         set_cell_row_0(u32(3), cell_5, vec4<u32>(vec4<i32>(i32(0))));
-        light_7 = _S95;
+        light_7 = _S101;
     }
     else
     {
         light_7 = light_6;
     }
     var before_0 : u32 = ((face_1.z) >> (u32(20)));
-    var _S96 : u32;
+    var _S102 : u32;
     if(before_0 == u32(0))
     {
-        _S96 = u32(0);
+        _S102 = u32(0);
     }
     else
     {
-        _S96 = before_0 - u32(1);
+        _S102 = before_0 - u32(1);
     }
-    var _S97 : u32 = max(_S96, (asked_0 >> (u32(20))));
+    var _S103 : u32 = max(_S102, (asked_0 >> (u32(20))));
     var code_0 : u32 = (asked_0 & (u32(1048575)));
-    face_1[i32(2)] = (((_S97 << (u32(20)))) | (code_0));
-    if(_S97 == u32(0))
+    face_1[i32(2)] = (((_S103 << (u32(20)))) | (code_0));
+    if(_S103 == u32(0))
     {
-        atomicStore(&(cell_keys_0[_S91]), u32(0));
+        atomicStore(&(cell_keys_0[_S97]), u32(0));
         light_7 = vec4<u32>(vec4<i32>(i32(0)));
     }
     else
@@ -1156,16 +1262,16 @@ fn end_cell_0( cell_5 : u32)
         {
             if((bitcast<f32>((light_7.w))) == 0.0f)
             {
-                _S96 = u32(0);
+                _S102 = u32(0);
             }
             else
             {
-                _S96 = u32(1);
+                _S102 = u32(1);
             }
-            var _S98 : u32 = atomicAdd(&(cell_keys_0[_S96]), u32(1));
+            var _S104 : u32 = atomicAdd(&(cell_keys_0[_S102]), u32(1));
         }
     }
-    atomicStore(&(cell_keys_0[_S93]), u32(0));
+    atomicStore(&(cell_keys_0[_S99]), u32(0));
     set_cell_row_0(u32(0), cell_5, light_7);
     set_cell_row_0(u32(1), cell_5, face_1);
     return;
@@ -1183,17 +1289,17 @@ fn place_of_found_0( place_2 : u32) -> u32
 
 fn update_visibility_0( place_3 : u32)
 {
-    var _S99 : u32 = place_of_known_0(place_3);
-    var known_1 : u32 = atomicLoad(&(cell_keys_0[_S99]));
-    var _S100 : u32 = place_of_found_0(place_3);
-    var found_1 : u32 = atomicLoad(&(cell_keys_0[_S100]));
+    var _S105 : u32 = place_of_known_0(place_3);
+    var known_1 : u32 = atomicLoad(&(cell_keys_0[_S105]));
+    var _S106 : u32 = place_of_found_0(place_3);
+    var found_1 : u32 = atomicLoad(&(cell_keys_0[_S106]));
     if(found_1 == u32(0))
     {
         return;
     }
-    var _S101 : u32 = ((known_1 >> (u32(16)))) + ((found_1 >> (u32(16))));
+    var _S107 : u32 = ((known_1 >> (u32(16)))) + ((found_1 >> (u32(16))));
     var rays_0 : u32 = ((known_1 & (u32(65535)))) + ((found_1 & (u32(65535))));
-    var arrived_0 : u32 = _S101;
+    var arrived_0 : u32 = _S107;
     for(;;)
     {
         if(rays_0 > u32(255))
@@ -1207,8 +1313,8 @@ fn update_visibility_0( place_3 : u32)
         rays_0 = (rays_0 >> (u32(1)));
         arrived_0 = arrived_1;
     }
-    atomicStore(&(cell_keys_0[_S99]), (((arrived_0 << (u32(16)))) | (rays_0)));
-    atomicStore(&(cell_keys_0[_S100]), u32(0));
+    atomicStore(&(cell_keys_0[_S105]), (((arrived_0 << (u32(16)))) | (rays_0)));
+    atomicStore(&(cell_keys_0[_S106]), u32(0));
     return;
 }
 
@@ -1216,66 +1322,66 @@ fn update_visibility_0( place_3 : u32)
 @workgroup_size(64, 1, 1)
 fn end_cells(@builtin(global_invocation_id) id_1 : vec3<u32>)
 {
-    var _S102 : u32 = id_1.x;
-    end_cell_0(_S102);
-    if(_S102 < u32(131072))
+    var _S108 : u32 = id_1.x;
+    end_cell_0(_S108);
+    if(_S108 < u32(131072))
     {
-        update_visibility_0(_S102);
+        update_visibility_0(_S108);
     }
     return;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S103 : vec2<u32> = vec2<u32>(u32(5));
-    var _S104 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S103 - vec2<u32>(u32(1))) / _S103;
-    return _S104;
+    var _S109 : vec2<u32> = vec2<u32>(u32(5));
+    var _S110 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S109 - vec2<u32>(u32(1))) / _S109;
+    return _S110;
 }
 
-fn place_of_square_0( list_0 : u32,  square_0 : u32) -> u32
+fn place_of_square_0( list_0 : u32,  square_5 : u32) -> u32
 {
     var count_6 : vec2<u32> = squares_1();
-    return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_0;
+    return u32(4) * real_time_0.pixels_0 + list_0 * count_6.x * count_6.y + square_5;
 }
 
 fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec4<f32>
 {
-    var _S105 : vec2<i32> = vec2<i32>(squares_1());
-    var _S106 : vec4<f32> = vec4<f32>(0.0f);
-    var _S107 : i32 = at_12.y;
-    var y_0 : i32 = max(_S107 - reach_1, i32(0));
-    var sum_4 : vec4<f32> = _S106;
+    var _S111 : vec2<i32> = vec2<i32>(squares_1());
+    var _S112 : vec4<f32> = vec4<f32>(0.0f);
+    var _S113 : i32 = at_12.y;
+    var y_0 : i32 = max(_S113 - reach_1, i32(0));
+    var sum_4 : vec4<f32> = _S112;
     for(;;)
     {
-        if(y_0 <= (min(_S107 + reach_1, _S105.y - i32(1))))
+        if(y_0 <= (min(_S113 + reach_1, _S111.y - i32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S108 : i32 = at_12.x;
-        var x_0 : i32 = max(_S108 - reach_1, i32(0));
+        var _S114 : i32 = at_12.x;
+        var x_0 : i32 = max(_S114 - reach_1, i32(0));
         var sum_5 : vec4<f32> = sum_4;
         for(;;)
         {
-            var _S109 : i32 = _S105.x;
-            if(x_0 <= (min(_S108 + reach_1, _S109 - i32(1))))
+            var _S115 : i32 = _S111.x;
+            if(x_0 <= (min(_S114 + reach_1, _S115 - i32(1))))
             {
             }
             else
             {
                 break;
             }
-            var square_1 : u32 = u32(y_0 * _S109 + x_0);
-            var before_1 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(((real_time_0.number_0 - u32(1)) & (u32(1))), square_1)])));
-            var now_0 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(u32(2), square_1)])));
-            var _S110 : vec3<f32> = now_0.xyz;
-            if((sqrt(length_squared_0(_S110 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S110 - real_time_0.before_place_0)))))
+            var square_6 : u32 = u32(y_0 * _S115 + x_0);
+            var before_1 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(((real_time_0.number_0 - u32(1)) & (u32(1))), square_6)])));
+            var now_0 : vec4<f32> = (bitcast<vec4<f32>>((memory_rows_0[place_of_square_0(u32(2), square_6)])));
+            var _S116 : vec3<f32> = now_0.xyz;
+            if((sqrt(length_squared_0(_S116 - before_1.xyz))) <= (2.0f * (1.0f + real_time_0.view_angle_0 / f32(params_0.height_0) * sqrt(length_squared_0(_S116 - real_time_0.before_place_0)))))
             {
-                var _S111 : f32 = before_1.w;
-                var _S112 : f32 = now_0.w;
-                sum_5 = sum_5 + vec4<f32>(_S111, _S112, abs(_S112 - _S111), max(_S112, _S111));
+                var _S117 : f32 = before_1.w;
+                var _S118 : f32 = now_0.w;
+                sum_5 = sum_5 + vec4<f32>(_S117, _S118, abs(_S118 - _S117), max(_S118, _S117));
             }
             x_0 = x_0 + i32(1);
         }
@@ -1290,16 +1396,16 @@ fn changes_around_0( at_12 : vec2<i32>,  reach_1 : i32) -> vec4<f32>
 fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
 {
     var count_7 : vec2<u32> = squares_1();
-    var _S113 : u32 = id_2.x;
-    var _S114 : u32 = count_7.x;
-    if(_S113 >= (_S114 * count_7.y))
+    var _S119 : u32 = id_2.x;
+    var _S120 : u32 = count_7.x;
+    if(_S119 >= (_S120 * count_7.y))
     {
         return;
     }
-    var _S115 : u32 = _S113 % _S114;
-    var _S116 : i32 = i32(_S115);
-    var _S117 : u32 = _S113 / _S114;
-    var at_13 : vec2<i32> = vec2<i32>(_S116, i32(_S117));
+    var _S121 : u32 = _S119 % _S120;
+    var _S122 : i32 = i32(_S121);
+    var _S123 : u32 = _S119 / _S120;
+    var at_13 : vec2<i32> = vec2<i32>(_S122, i32(_S123));
     var changes_0 : vec4<f32> = changes_around_0(at_13, i32(1));
     var changes_1 : vec4<f32>;
     if((changes_0.w) <= 0.0f)
@@ -1310,18 +1416,18 @@ fn compare_found(@builtin(global_invocation_id) id_2 : vec3<u32>)
     {
         changes_1 = changes_0;
     }
-    var _S118 : f32 = changes_1.w;
+    var _S124 : f32 = changes_1.w;
     var share_2 : f32;
-    if(_S118 > 0.0f)
+    if(_S124 > 0.0f)
     {
-        share_2 = min(changes_1.z / _S118, 1.0f);
+        share_2 = min(changes_1.z / _S124, 1.0f);
     }
     else
     {
         share_2 = 0.0f;
     }
-    var _S119 : f32 = changes_1.x;
-    memory_rows_0[place_of_square_0(u32(3), _S113)] = vec4<u32>((bitcast<u32>((share_2))), (bitcast<u32>((1.0f - clamp((share_2 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S119 - changes_1.y, 0.0f) / max(_S119, 1.00000000317107685e-30f))))), u32(0), u32(0));
+    var _S125 : f32 = changes_1.x;
+    memory_rows_0[place_of_square_0(u32(3), _S119)] = vec4<u32>((bitcast<u32>((share_2))), (bitcast<u32>((1.0f - clamp((share_2 - 0.5f) / 0.25f, 0.0f, 1.0f) * (max(_S125 - changes_1.y, 0.0f) / max(_S125, 1.00000000317107685e-30f))))), u32(0), u32(0));
     return;
 }
 
@@ -1342,21 +1448,21 @@ fn doubt(@builtin(global_invocation_id) id_3 : vec3<u32>)
     if(is_inside_0(vec2<i32>(at_14)))
     {
         var index_16 : u32 = index_of_0(at_14);
-        var square_2 : vec2<u32> = at_14 / vec2<u32>(u32(5));
-        var change_0 : vec2<f32> = (bitcast<vec2<f32>>((memory_rows_0[place_of_square_0(u32(3), square_2.y * squares_1().x + square_2.x)].xy)));
-        var _S120 : vec4<u32> = memory_row_0(u32(1), index_16);
-        var row_11 : vec4<u32> = _S120;
-        var _S121 : u32 = _S120.x;
-        var paths_0 : f32 = low_half_0(_S121);
-        var next_0 : f32 = 1.0f / (paths_0 + 1.0f);
-        row_11[i32(0)] = halves_0(min(paths_0, 1.0f / (next_0 + (1.0f - next_0) * change_0.x) - 1.0f), high_half_0(_S121));
+        var square_7 : vec2<u32> = at_14 / vec2<u32>(u32(5));
+        var change_0 : vec2<f32> = (bitcast<vec2<f32>>((memory_rows_0[place_of_square_0(u32(3), square_7.y * squares_1().x + square_7.x)].xy)));
+        var _S126 : vec4<u32> = memory_row_0(u32(1), index_16);
+        var row_11 : vec4<u32> = _S126;
+        var _S127 : u32 = _S126.x;
+        var paths_5 : f32 = low_half_0(_S127);
+        var next_0 : f32 = 1.0f / (paths_5 + 1.0f);
+        row_11[i32(0)] = halves_0(min(paths_5, 1.0f / (next_0 + (1.0f - next_0) * change_0.x) - 1.0f), high_half_0(_S127));
         memory_rows_0[real_time_0.pixels_0 + index_16] = row_11;
-        var _S122 : vec4<u32> = memory_row_0(u32(2), index_16);
-        var lit_0 : vec4<u32> = _S122;
-        var _S123 : vec3<u32> = (bitcast<vec3<u32>>(((bitcast<vec3<f32>>((_S122.xyz))) * vec3<f32>(change_0.y))));
-        lit_0.x = _S123.x;
-        lit_0.y = _S123.y;
-        lit_0.z = _S123.z;
+        var _S128 : vec4<u32> = memory_row_0(u32(2), index_16);
+        var lit_0 : vec4<u32> = _S128;
+        var _S129 : vec3<u32> = (bitcast<vec3<u32>>(((bitcast<vec3<f32>>((_S128.xyz))) * vec3<f32>(change_0.y))));
+        lit_0.x = _S129.x;
+        lit_0.y = _S129.y;
+        lit_0.z = _S129.z;
         memory_rows_0[u32(2) * real_time_0.pixels_0 + index_16] = lit_0;
     }
     return;
@@ -1375,21 +1481,21 @@ struct Sample_0
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_9 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_2 : vec3<f32>,  place_5 : vec3<f32>,  instance_3 : u32) -> Sample_0
 {
-    var _S124 : Sample_0;
-    _S124.direct_0 = direct_1;
-    _S124.light_8 = light_9;
-    _S124.is_shown_0 = is_shown_1;
-    _S124.albedo_0 = albedo_1;
-    _S124.normal_1 = normal_2;
-    _S124.place_4 = place_5;
-    _S124.instance_2 = instance_3;
-    return _S124;
+    var _S130 : Sample_0;
+    _S130.direct_0 = direct_1;
+    _S130.light_8 = light_9;
+    _S130.is_shown_0 = is_shown_1;
+    _S130.albedo_0 = albedo_1;
+    _S130.normal_1 = normal_2;
+    _S130.place_4 = place_5;
+    _S130.instance_2 = instance_3;
+    return _S130;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S125 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S125, _S125, false, _S125, _S125, _S125, u32(4294967294));
+    var _S131 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S131, _S131, false, _S131, _S131, _S131, u32(4294967294));
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -1399,16 +1505,16 @@ fn has_0( flag_0 : u32) -> bool
 
 fn traces_0( at_15 : vec2<i32>) -> bool
 {
-    var _S126 : bool;
+    var _S132 : bool;
     if(!has_0(u32(128)))
     {
-        _S126 = true;
+        _S132 = true;
     }
     else
     {
-        _S126 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
+        _S132 = (((u32(at_15.x + at_15.y) + real_time_0.number_0) & (u32(1)))) == u32(0);
     }
-    return _S126;
+    return _S132;
 }
 
 fn load_sample_0( index_17 : u32) -> Sample_0
@@ -1422,9 +1528,9 @@ fn load_sample_0( index_17 : u32) -> Sample_0
     sample_0.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_17)))), d_0.x);
     sample_0.place_4 = vec3<f32>(d_0.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_17)))));
     sample_0.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_17)))), (bitcast<f32>((g_0.x))));
-    var _S127 : u32 = g_0.y;
-    sample_0.normal_1 = normal_in_0(_S127);
-    sample_0.is_shown_0 = ((_S127 & (u32(1073741824)))) != u32(0);
+    var _S133 : u32 = g_0.y;
+    sample_0.normal_1 = normal_in_0(_S133);
+    sample_0.is_shown_0 = ((_S133 & (u32(1073741824)))) != u32(0);
     return sample_0;
 }
 
@@ -1439,39 +1545,39 @@ fn neighbour_0( which_0 : u32) -> vec2<i32>
     {
         side_0 = i32(-1);
     }
-    var _S128 : vec2<i32>;
+    var _S134 : vec2<i32>;
     if(((which_0 & (u32(1)))) != u32(0))
     {
-        _S128 = vec2<i32>(i32(0), side_0);
+        _S134 = vec2<i32>(i32(0), side_0);
     }
     else
     {
-        _S128 = vec2<i32>(side_0, i32(0));
+        _S134 = vec2<i32>(side_0, i32(0));
     }
-    return _S128;
+    return _S134;
 }
 
 fn sample_at_0( at_16 : vec2<i32>) -> Sample_0
 {
-    var _S129 : Sample_0 = no_sample_0();
+    var _S135 : Sample_0 = no_sample_0();
     if(traces_0(at_16))
     {
         return load_sample_0(index_of_0(vec2<u32>(at_16)));
     }
-    var sample_1 : Sample_0 = _S129;
+    var sample_1 : Sample_0 = _S135;
     var turn_0 : u32 = u32(0);
     for(;;)
     {
-        var _S130 : bool;
+        var _S136 : bool;
         if(turn_0 < u32(4))
         {
-            _S130 = !sample_1.is_shown_0;
+            _S136 = !sample_1.is_shown_0;
         }
         else
         {
-            _S130 = false;
+            _S136 = false;
         }
-        if(_S130)
+        if(_S136)
         {
         }
         else
@@ -1490,61 +1596,61 @@ fn sample_at_0( at_16 : vec2<i32>) -> Sample_0
 
 struct Lit_0
 {
-     paths_1 : f32,
+     paths_6 : f32,
      light_10 : vec3<f32>,
      shaded_1 : vec3<f32>,
      moments_0 : vec3<f32>,
 };
 
-fn Lit_x24init_0( paths_2 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
+fn Lit_x24init_0( paths_7 : f32,  light_11 : vec3<f32>,  shaded_2 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S131 : Lit_0;
-    _S131.paths_1 = paths_2;
-    _S131.light_10 = light_11;
-    _S131.shaded_1 = shaded_2;
-    _S131.moments_0 = moments_1;
-    return _S131;
+    var _S137 : Lit_0;
+    _S137.paths_6 = paths_7;
+    _S137.light_10 = light_11;
+    _S137.shaded_1 = shaded_2;
+    _S137.moments_0 = moments_1;
+    return _S137;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S132 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S132, _S132, _S132);
+    var _S138 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S138, _S138, _S138);
 }
 
 fn is_mover_0( instance_4 : u32) -> bool
 {
-    var _S133 : bool;
+    var _S139 : bool;
     if(instance_4 < (real_time_0.motions_0))
     {
-        _S133 = (motions_1[u32(4) * instance_4 + u32(3)].x) != 0.0f;
+        _S139 = (motions_1[u32(4) * instance_4 + u32(3)].x) != 0.0f;
     }
     else
     {
-        _S133 = false;
+        _S139 = false;
     }
-    return _S133;
+    return _S139;
 }
 
 fn shows_mover_0( sample_2 : Sample_0) -> bool
 {
-    var _S134 : bool;
+    var _S140 : bool;
     if((real_time_0.motions_0) != u32(0))
     {
         if((sample_2.instance_2) == u32(4294967295))
         {
-            _S134 = true;
+            _S140 = true;
         }
         else
         {
-            _S134 = is_mover_0(sample_2.instance_2);
+            _S140 = is_mover_0(sample_2.instance_2);
         }
     }
     else
     {
-        _S134 = false;
+        _S140 = false;
     }
-    return _S134;
+    return _S140;
 }
 
 struct Wanted_0
@@ -1557,12 +1663,12 @@ struct Wanted_0
 
 fn Wanted_x24init_0( is_shown_3 : bool,  place_7 : vec3<f32>,  normal_4 : vec3<f32>,  tolerance_1 : f32) -> Wanted_0
 {
-    var _S135 : Wanted_0;
-    _S135.is_shown_2 = is_shown_3;
-    _S135.place_6 = place_7;
-    _S135.normal_3 = normal_4;
-    _S135.tolerance_0 = tolerance_1;
-    return _S135;
+    var _S141 : Wanted_0;
+    _S141.is_shown_2 = is_shown_3;
+    _S141.place_6 = place_7;
+    _S141.normal_3 = normal_4;
+    _S141.tolerance_0 = tolerance_1;
+    return _S141;
 }
 
 struct CameraFrame_0
@@ -1579,16 +1685,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_2 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S136 : CameraFrame_0;
-    _S136.lens_1 = lens_2;
-    _S136.eye_2 = eye_3;
-    _S136.corner_1 = corner_2;
-    _S136.pixel_x_1 = pixel_x_2;
-    _S136.pixel_y_1 = pixel_y_2;
-    _S136.lens_x_1 = lens_x_2;
-    _S136.lens_y_1 = lens_y_2;
-    _S136.blades_1 = blades_2;
-    return _S136;
+    var _S142 : CameraFrame_0;
+    _S142.lens_1 = lens_2;
+    _S142.eye_2 = eye_3;
+    _S142.corner_1 = corner_2;
+    _S142.pixel_x_1 = pixel_x_2;
+    _S142.pixel_y_1 = pixel_y_2;
+    _S142.lens_x_1 = lens_x_2;
+    _S142.lens_y_1 = lens_y_2;
+    _S142.blades_1 = blades_2;
+    return _S142;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -1603,12 +1709,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_4 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S137 : Perspective_0;
-    _S137.eye_4 = eye_5;
-    _S137.corner_3 = corner_4;
-    _S137.pixel_x_3 = pixel_x_4;
-    _S137.pixel_y_3 = pixel_y_4;
-    return _S137;
+    var _S143 : Perspective_0;
+    _S143.eye_4 = eye_5;
+    _S143.corner_3 = corner_4;
+    _S143.pixel_x_3 = pixel_x_4;
+    _S143.pixel_y_3 = pixel_y_4;
+    return _S143;
 }
 
 struct Axes_0
@@ -1620,11 +1726,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_1 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S138 : Axes_0;
-    _S138.forward_0 = forward_1;
-    _S138.right_0 = right_1;
-    _S138.up_0 = up_1;
-    return _S138;
+    var _S144 : Axes_0;
+    _S144.forward_0 = forward_1;
+    _S144.right_0 = right_1;
+    _S144.up_0 = up_1;
+    return _S144;
 }
 
 struct ThinLens_0
@@ -1637,28 +1743,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S139 : ThinLens_0;
-    _S139.perspective_0 = perspective_1;
-    _S139.lens_x_3 = lens_x_4;
-    _S139.lens_y_3 = lens_y_4;
-    _S139.blades_3 = blades_4;
-    return _S139;
+    var _S145 : ThinLens_0;
+    _S145.perspective_0 = perspective_1;
+    _S145.lens_x_3 = lens_x_4;
+    _S145.lens_y_3 = lens_y_4;
+    _S145.blades_3 = blades_4;
+    return _S145;
 }
 
-fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
+fn concentric_0( square_8 : vec2<f32>) -> vec2<f32>
 {
-    var a_2 : f32 = 2.0f * square_3.x - 1.0f;
-    var b_3 : f32 = 2.0f * square_3.y - 1.0f;
-    var _S140 : bool;
+    var a_2 : f32 = 2.0f * square_8.x - 1.0f;
+    var b_3 : f32 = 2.0f * square_8.y - 1.0f;
+    var _S146 : bool;
     if(a_2 == 0.0f)
     {
-        _S140 = b_3 == 0.0f;
+        _S146 = b_3 == 0.0f;
     }
     else
     {
-        _S140 = false;
+        _S146 = false;
     }
-    if(_S140)
+    if(_S146)
     {
         return vec2<f32>(0.0f);
     }
@@ -1685,7 +1791,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         turns_0 = turns_0 + 0.5f;
     }
-    var _S141 : f32 = abs(radius_0);
+    var _S147 : f32 = abs(radius_0);
     if(turns_0 < 0.0f)
     {
         radius_0 = turns_0 + 1.0f;
@@ -1694,7 +1800,7 @@ fn concentric_0( square_3 : vec2<f32>) -> vec2<f32>
     {
         radius_0 = turns_0;
     }
-    return vec2<f32>(_S141, radius_0);
+    return vec2<f32>(_S147, radius_0);
 }
 
 fn sincos_turns_0( turns_1 : f32) -> vec2<f32>
@@ -1740,18 +1846,18 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_3 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S142 : f32 = from_0.y;
-    var _S143 : f32 = from_0.x;
-    return vec2<f32>(_S142 + (to_0.y - _S142) * share_3, _S143 + (to_0.x - _S143) * share_3) * vec2<f32>(radius_1);
+    var _S148 : f32 = from_0.y;
+    var _S149 : f32 = from_0.x;
+    return vec2<f32>(_S148 + (to_0.y - _S148) * share_3, _S149 + (to_0.x - _S149) * share_3) * vec2<f32>(radius_1);
 }
 
 fn nearest_root_0( mantissa_0 : u32,  guess_1 : u32) -> u32
 {
     var rest_1 : i32 = i32(((mantissa_0 << (u32(23)))) - guess_1 * guess_1);
     var units_1 : i32 = i32(floor(f32(rest_1) / f32(u32(2) * guess_1) + 0.5f));
-    var _S144 : i32 = i32(guess_1);
-    var root_0 : i32 = _S144 + units_1;
-    var rest_2 : i32 = rest_1 - units_1 * (_S144 + root_0);
+    var _S150 : i32 = i32(guess_1);
+    var root_0 : i32 = _S150 + units_1;
+    var rest_2 : i32 = rest_1 - units_1 * (_S150 + root_0);
     return u32(root_0 + i32(rest_2 > root_0) - i32(rest_2 <= (- root_0)));
 }
 
@@ -1761,13 +1867,13 @@ fn square_root_0( value_3 : f32) -> f32
     {
         return sqrt(value_3);
     }
-    var _S145 : u32 = (bitcast<u32>((value_3)));
-    var exponent_2 : u32 = (_S145 >> (u32(23)));
+    var _S151 : u32 = (bitcast<u32>((value_3)));
+    var exponent_2 : u32 = (_S151 >> (u32(23)));
     if(!is_normal_0(exponent_2))
     {
         return sqrt(value_3);
     }
-    var mantissa_1 : u32 = (((((_S145 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
+    var mantissa_1 : u32 = (((((_S151 & (u32(8388607)))) | (u32(8388608)))) << ((((~exponent_2) & (u32(1))))));
     return (bitcast<f32>(((((((exponent_2 + u32(127)) >> (u32(1)))) << (u32(23)))) + (nearest_root_0(mantissa_1, u32(sqrt(f32(mantissa_1) * 1.1920928955078125e-07f) * 8.388608e+06f)) - u32(8388608)))));
 }
 
@@ -1786,12 +1892,12 @@ struct Ray_0
 
 fn Ray_x24init_0( origin_1 : vec3<f32>,  t_min_1 : f32,  direction_1 : vec3<f32>,  t_max_1 : f32) -> Ray_0
 {
-    var _S146 : Ray_0;
-    _S146.origin_0 = origin_1;
-    _S146.t_min_0 = t_min_1;
-    _S146.direction_0 = direction_1;
-    _S146.t_max_0 = t_max_1;
-    return _S146;
+    var _S152 : Ray_0;
+    _S152.origin_0 = origin_1;
+    _S152.t_min_0 = t_min_1;
+    _S152.direction_0 = direction_1;
+    _S152.t_max_0 = t_max_1;
+    return _S152;
 }
 
 fn ray_from_0( origin_2 : vec3<f32>,  direction_2 : vec3<f32>) -> Ray_0
@@ -1816,12 +1922,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_6 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S147 : Orthographic_0;
-    _S147.corner_5 = corner_6;
-    _S147.pixel_x_5 = pixel_x_6;
-    _S147.pixel_y_5 = pixel_y_6;
-    _S147.forward_2 = forward_3;
-    return _S147;
+    var _S153 : Orthographic_0;
+    _S153.corner_5 = corner_6;
+    _S153.pixel_x_5 = pixel_x_6;
+    _S153.pixel_y_5 = pixel_y_6;
+    _S153.forward_2 = forward_3;
+    return _S153;
 }
 
 fn Orthographic_ray_0( this_3 : Orthographic_0,  position_1 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -1839,12 +1945,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_1 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S148 : Panorama_0;
-    _S148.eye_6 = eye_7;
-    _S148.axes_0 = axes_1;
-    _S148.inverse_size_0 = inverse_size_1;
-    _S148.half_eye_distance_0 = half_eye_distance_1;
-    return _S148;
+    var _S154 : Panorama_0;
+    _S154.eye_6 = eye_7;
+    _S154.axes_0 = axes_1;
+    _S154.inverse_size_0 = inverse_size_1;
+    _S154.half_eye_distance_0 = half_eye_distance_1;
+    return _S154;
 }
 
 fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -1871,33 +1977,33 @@ fn Panorama_ray_0( this_4 : Panorama_0,  position_2 : vec2<f32>,  lens_6 : vec2<
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_2.x * this_4.inverse_size_0.x);
     var height_1 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S149 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S150 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S150 - this_4.axes_0.right_0 * _S149) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S149 + this_4.axes_0.right_0 * _S150) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
+    var _S155 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S156 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_4.eye_6 + (this_4.axes_0.forward_0 * _S156 - this_4.axes_0.right_0 * _S155) * vec3<f32>(side_1), normalize_vector_0((vec3<f32>(0) - this_4.axes_0.forward_0 * _S155 + this_4.axes_0.right_0 * _S156) * vec3<f32>(height_1.x) + this_4.axes_0.up_0 * vec3<f32>(height_1.y)));
 }
 
 struct Fisheye_0
 {
      eye_8 : vec3<f32>,
      axes_2 : Axes_0,
-     middle_0 : vec2<f32>,
+     middle_5 : vec2<f32>,
      turns_per_pixel_0 : f32,
 };
 
-fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_1 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
+fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_3 : Axes_0,  middle_6 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S151 : Fisheye_0;
-    _S151.eye_8 = eye_9;
-    _S151.axes_2 = axes_3;
-    _S151.middle_0 = middle_1;
-    _S151.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S151;
+    var _S157 : Fisheye_0;
+    _S157.eye_8 = eye_9;
+    _S157.axes_2 = axes_3;
+    _S157.middle_5 = middle_6;
+    _S157.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S157;
 }
 
 fn Fisheye_ray_0( this_5 : Fisheye_0,  position_3 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
 {
-    var x_2 : f32 = position_3.x - this_5.middle_0.x;
-    var y_1 : f32 = position_3.y - this_5.middle_0.y;
+    var x_2 : f32 = position_3.x - this_5.middle_5.x;
+    var y_1 : f32 = position_3.y - this_5.middle_5.y;
     var radius_2 : f32 = square_root_0(x_2 * x_2 + y_1 * y_1);
     var sin_cos_1 : vec2<f32> = sincos_turns_0(min(radius_2 * this_5.turns_per_pixel_0, 1.0f));
     var scale_0 : f32;
@@ -1950,8 +2056,8 @@ fn cubic_weights_0( t_0 : f32) -> vec4<f32>
 {
     var tt_0 : f32 = t_0 * t_0;
     var ttt_0 : f32 = tt_0 * t_0;
-    var _S152 : f32 = 3.0f * ttt_0;
-    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S152 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S152 + t_0, ttt_0 - tt_0);
+    var _S158 : f32 = 3.0f * ttt_0;
+    return vec4<f32>(0.5f) * vec4<f32>(2.0f * tt_0 - ttt_0 - t_0, _S158 - 5.0f * tt_0 + 2.0f, 4.0f * tt_0 - _S158 + t_0, ttt_0 - tt_0);
 }
 
 fn shown_in_0( word_3 : u32) -> vec3<f32>
@@ -1961,17 +2067,17 @@ fn shown_in_0( word_3 : u32) -> vec3<f32>
 
 fn word_of_0( color_17 : vec3<f32>) -> u32
 {
-    var _S153 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
-    var _S154 : i32 = max(i32(((bitcast<u32>((max(max(_S153.x, _S153.y), _S153.z)))) >> (u32(23)))) - i32(126), i32(-15));
-    var parts_0 : vec3<u32> = min(vec3<u32>(_S153 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S154) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
-    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S154 + i32(15)) << (u32(27)))))), u32(134217728));
+    var _S159 : vec3<f32> = clamp(color_17, vec3<f32>(0.0f), vec3<f32>(65408.0f));
+    var _S160 : i32 = max(i32(((bitcast<u32>((max(max(_S159.x, _S159.y), _S159.z)))) >> (u32(23)))) - i32(126), i32(-15));
+    var parts_0 : vec3<u32> = min(vec3<u32>(_S159 * vec3<f32>((bitcast<f32>(((u32(i32(136) - _S160) << (u32(23))))))) + vec3<f32>(0.5f)), vec3<u32>(vec3<i32>(i32(511))));
+    return max(((((((parts_0.x) | ((((parts_0.y) << (u32(9))))))) | ((((parts_0.z) << (u32(18))))))) | (((u32(_S160 + i32(15)) << (u32(27)))))), u32(134217728));
 }
 
 fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>) -> u32
 {
-    var _S155 : vec3<f32> = vec3<f32>(0.0f);
+    var _S161 : vec3<f32> = vec3<f32>(0.0f);
     var place_9 : i32 = i32(0);
-    var sum_6 : vec3<f32> = _S155;
+    var sum_6 : vec3<f32> = _S161;
     for(;;)
     {
         if(place_9 < i32(16))
@@ -1981,15 +2087,15 @@ fn shown_at_0( corner_7 : vec2<i32>,  across_0 : vec4<f32>,  down_0 : vec4<f32>)
         {
             break;
         }
-        var _S156 : i32 = (place_9 & (i32(3)));
-        var _S157 : i32 = (place_9 >> (u32(2)));
-        var _S158 : vec2<i32> = vec2<i32>(i32(1));
-        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S156, _S157) - _S158, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S158)))).w;
+        var _S162 : i32 = (place_9 & (i32(3)));
+        var _S163 : i32 = (place_9 >> (u32(2)));
+        var _S164 : vec2<i32> = vec2<i32>(i32(1));
+        var word_4 : u32 = memory_row_0(u32(3), index_of_0(vec2<u32>(clamp(corner_7 + vec2<i32>(_S162, _S163) - _S164, vec2<i32>(i32(0)), vec2<i32>(i32(params_0.width_0), i32(params_0.height_0)) - _S164)))).w;
         if(word_4 == u32(0))
         {
             return u32(0);
         }
-        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S156] * down_0[_S157]));
+        var sum_7 : vec3<f32> = sum_6 + shown_in_0(word_4) * vec3<f32>((across_0[_S162] * down_0[_S163]));
         place_9 = place_9 + i32(1);
         sum_6 = sum_7;
     }
@@ -2004,29 +2110,29 @@ fn shows_0( wanted_0 : Wanted_0,  index_18 : u32) -> bool
     {
         return (low_half_0(word_5)) < 0.44600000977516174f;
     }
-    var _S159 : u32 = surface_2.w;
-    var normal_5 : vec3<f32> = normal_in_0(_S159);
+    var _S165 : u32 = surface_2.w;
+    var normal_5 : vec3<f32> = normal_in_0(_S165);
     var distance_1 : f32 = abs(dot_product_0(wanted_0.normal_3, (bitcast<vec3<f32>>((surface_2.xyz))) - wanted_0.place_6));
     var tolerance_2 : f32 = wanted_0.tolerance_0 + 2.0f * sqrt(high_half_0(word_5));
     var cosine_0 : f32 = dot_product_0(wanted_0.normal_3, normal_5);
-    var _S160 : bool;
-    if(((_S159 & (u32(1073741824)))) != u32(0))
+    var _S166 : bool;
+    if(((_S165 & (u32(1073741824)))) != u32(0))
     {
-        _S160 = distance_1 <= tolerance_2;
+        _S166 = distance_1 <= tolerance_2;
     }
     else
     {
-        _S160 = false;
+        _S166 = false;
     }
-    if(_S160)
+    if(_S166)
     {
-        _S160 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
+        _S166 = cosine_0 >= (0.5f * sqrt(length_squared_0(normal_5)));
     }
     else
     {
-        _S160 = false;
+        _S166 = false;
     }
-    return _S160;
+    return _S166;
 }
 
 fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
@@ -2036,33 +2142,33 @@ fn pixel_before_0( wanted_1 : Wanted_0,  at_17 : vec2<i32>) -> u32
         return real_time_0.pixels_0;
     }
     var index_19 : u32 = index_of_0(vec2<u32>(at_17));
-    var _S161 : u32;
+    var _S167 : u32;
     if(shows_0(wanted_1, index_19))
     {
-        _S161 = index_19;
+        _S167 = index_19;
     }
     else
     {
-        _S161 = real_time_0.pixels_0;
+        _S167 = real_time_0.pixels_0;
     }
-    return _S161;
+    return _S167;
 }
 
-fn Lit_products_0( this_8 : Lit_0,  kept_4 : vec3<f32>) -> vec3<f32>
+fn Lit_products_0( this_8 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
 {
     var l_0 : f32 = luminance_0(this_8.light_10);
-    var a_3 : f32 = luminance_0(kept_4);
+    var a_3 : f32 = luminance_0(kept_5);
     return vec3<f32>(l_0 * l_0, l_0 * a_3, a_3 * a_3);
 }
 
-fn lit_of_0( paths_3 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
+fn lit_of_0( paths_8 : f32,  light_12 : vec3<f32>,  words_2 : vec3<u32>) -> Lit_0
 {
-    var _S162 : u32 = words_2.x;
-    var _S163 : u32 = words_2.y;
-    var _S164 : Lit_0 = Lit_x24init_0(paths_3, light_12, vec3<f32>(low_half_0(_S162), high_half_0(_S162), low_half_0(_S163)), vec3<f32>(0.0f));
-    var lit_1 : Lit_0 = _S164;
-    var _S165 : u32 = words_2.z;
-    lit_1.moments_0 = Lit_products_0(_S164, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S163), low_half_0(_S165), high_half_0(_S165)));
+    var _S168 : u32 = words_2.x;
+    var _S169 : u32 = words_2.y;
+    var _S170 : Lit_0 = Lit_x24init_0(paths_8, light_12, vec3<f32>(low_half_0(_S168), high_half_0(_S168), low_half_0(_S169)), vec3<f32>(0.0f));
+    var lit_1 : Lit_0 = _S170;
+    var _S171 : u32 = words_2.z;
+    lit_1.moments_0 = Lit_products_0(_S170, lit_1.shaded_1) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S169), low_half_0(_S171), high_half_0(_S171)));
     return lit_1;
 }
 
@@ -2075,11 +2181,11 @@ fn load_lit_0( index_20 : u32) -> Lit_0
 
 fn add_weighed_0( sum_8 : ptr<function, Lit_0>,  lit_2 : Lit_0,  weight_5 : f32)
 {
-    (*sum_8).paths_1 = (*sum_8).paths_1 + lit_2.paths_1 * weight_5;
-    var _S166 : vec3<f32> = vec3<f32>(weight_5);
-    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S166;
-    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S166;
-    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S166;
+    (*sum_8).paths_6 = (*sum_8).paths_6 + lit_2.paths_6 * weight_5;
+    var _S172 : vec3<f32> = vec3<f32>(weight_5);
+    (*sum_8).light_10 = (*sum_8).light_10 + lit_2.light_10 * _S172;
+    (*sum_8).shaded_1 = (*sum_8).shaded_1 + lit_2.shaded_1 * _S172;
+    (*sum_8).moments_0 = (*sum_8).moments_0 + lit_2.moments_0 * _S172;
     return;
 }
 
@@ -2097,27 +2203,27 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
     var place_10 : i32 = i32(0);
     for(;;)
     {
-        var _S167 : bool;
+        var _S173 : bool;
         if(place_10 < i32(16))
         {
-            _S167 = is_whole_0;
+            _S173 = is_whole_0;
         }
         else
         {
-            _S167 = false;
+            _S173 = false;
         }
-        if(_S167)
+        if(_S173)
         {
         }
         else
         {
             break;
         }
-        var _S168 : i32 = (place_10 & (i32(3)));
-        var _S169 : i32 = (place_10 >> (u32(2)));
-        var step_2 : vec2<i32> = vec2<i32>(_S168, _S169);
-        var _S170 : f32 = across_1[_S168] * down_1[_S169];
-        if(_S170 == 0.0f)
+        var _S174 : i32 = (place_10 & (i32(3)));
+        var _S175 : i32 = (place_10 >> (u32(2)));
+        var step_2 : vec2<i32> = vec2<i32>(_S174, _S175);
+        var _S176 : f32 = across_1[_S174] * down_1[_S175];
+        if(_S176 == 0.0f)
         {
             place_10 = place_10 + i32(1);
             continue;
@@ -2128,8 +2234,8 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         if(is_whole_1)
         {
             var other_8 : Lit_0 = load_lit_0(index_21);
-            add_weighed_0(&((*lit_3)), other_8, _S170);
-            least_2 = min(least_1, other_8.paths_1);
+            add_weighed_0(&((*lit_3)), other_8, _S176);
+            least_2 = min(least_1, other_8.paths_6);
         }
         else
         {
@@ -2139,11 +2245,11 @@ fn cubic_0( wanted_2 : Wanted_0,  corner_8 : vec2<i32>,  across_1 : vec4<f32>,  
         least_1 = least_2;
         place_10 = place_10 + i32(1);
     }
-    (*lit_3).paths_1 = max((*lit_3).paths_1, least_1);
-    var _S171 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
+    (*lit_3).paths_6 = max((*lit_3).paths_6, least_1);
+    var _S177 : f32 = min(min(min_element_0((*lit_3).light_10), min_element_0((*lit_3).shaded_1)), min_element_0((*lit_3).moments_0));
     if(is_whole_0)
     {
-        is_whole_0 = _S171 >= 0.0f;
+        is_whole_0 = _S177 >= 0.0f;
     }
     else
     {
@@ -2166,41 +2272,41 @@ fn linear_mean_0( wanted_3 : Wanted_0,  corner_9 : vec2<i32>,  share_4 : vec2<f3
         {
             break;
         }
-        var _S172 : i32 = i32((place_11 & (u32(1))));
-        var _S173 : i32 = i32((place_11 >> (u32(1))));
-        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S172, _S173));
+        var _S178 : i32 = i32((place_11 & (u32(1))));
+        var _S179 : i32 = i32((place_11 >> (u32(1))));
+        var index_22 : u32 = pixel_before_0(wanted_3, corner_9 + vec2<i32>(_S178, _S179));
         if(index_22 != (real_time_0.pixels_0))
         {
-            var _S174 : f32;
-            if(_S172 == i32(0))
+            var _S180 : f32;
+            if(_S178 == i32(0))
             {
-                _S174 = 1.0f - share_4.x;
+                _S180 = 1.0f - share_4.x;
             }
             else
             {
-                _S174 = share_4.x;
+                _S180 = share_4.x;
             }
-            var _S175 : f32;
-            if(_S173 == i32(0))
+            var _S181 : f32;
+            if(_S179 == i32(0))
             {
-                _S175 = 1.0f - share_4.y;
+                _S181 = 1.0f - share_4.y;
             }
             else
             {
-                _S175 = share_4.y;
+                _S181 = share_4.y;
             }
-            var weight_6 : f32 = _S174 * _S175;
+            var weight_6 : f32 = _S180 * _S181;
             add_weighed_0(&((*lit_4)), load_lit_0(index_22), weight_6);
             weights_15 = weights_15 + weight_6;
         }
         place_11 = place_11 + u32(1);
     }
     var scale_1 : f32 = 1.0f / max(weights_15, 9.99999968265522539e-21f);
-    (*lit_4).paths_1 = (*lit_4).paths_1 * scale_1;
-    var _S176 : vec3<f32> = vec3<f32>(scale_1);
-    (*lit_4).light_10 = (*lit_4).light_10 * _S176;
-    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S176;
-    (*lit_4).moments_0 = (*lit_4).moments_0 * _S176;
+    (*lit_4).paths_6 = (*lit_4).paths_6 * scale_1;
+    var _S182 : vec3<f32> = vec3<f32>(scale_1);
+    (*lit_4).light_10 = (*lit_4).light_10 * _S182;
+    (*lit_4).shaded_1 = (*lit_4).shaded_1 * _S182;
+    (*lit_4).moments_0 = (*lit_4).moments_0 * _S182;
     return weights_15 >= 0.01999999955296516f;
 }
 
@@ -2222,16 +2328,16 @@ fn nearest_0( wanted_4 : Wanted_0,  at_18 : vec2<f32>) -> Lit_0
         var way_0 : vec2<f32> = vec2<f32>(pixel_0) + vec2<f32>(0.5f) - at_18;
         var distance_2 : f32 = dot(way_0, way_0);
         var index_23 : u32 = pixel_before_0(wanted_4, pixel_0);
-        var _S177 : bool;
+        var _S183 : bool;
         if(index_23 != (real_time_0.pixels_0))
         {
-            _S177 = distance_2 < (least_3 - 0.00100000004749745f);
+            _S183 = distance_2 < (least_3 - 0.00100000004749745f);
         }
         else
         {
-            _S177 = false;
+            _S183 = false;
         }
-        if(_S177)
+        if(_S183)
         {
             least_3 = distance_2;
             best_0 = index_23;
@@ -2254,8 +2360,8 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
 {
     (*shown_0) = u32(0);
     var wanted_5 : Wanted_0 = Wanted_x24init_0(sample_3.is_shown_0, sample_3.place_4, sample_3.normal_1, 0.0f);
-    var _S178 : vec2<f32> = vec2<f32>(0.5f);
-    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S178, vec2<f32>(0.5f));
+    var _S184 : vec2<f32> = vec2<f32>(0.5f);
+    var ray_0 : Ray_0 = CameraFrame_ray_0(FrameParams_camera_0(), vec2<f32>(pixel_1) + _S184, vec2<f32>(0.5f));
     var along_0 : f32;
     if(sample_3.is_shown_0)
     {
@@ -2265,7 +2371,7 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     {
         along_0 = 1.0e+07f;
     }
-    var middle_2 : vec3<f32> = ray_0.origin_0 + ray_0.direction_0 * vec3<f32>(along_0);
+    var middle_7 : vec3<f32> = ray_0.origin_0 + ray_0.direction_0 * vec3<f32>(along_0);
     var distance_3 : f32 = sqrt(length_squared_0(sample_3.place_4 - real_time_0.eye_0));
     var pixel_width_0 : f32 = real_time_0.view_angle_0 / f32(params_0.height_0);
     if(sample_3.is_shown_0)
@@ -2286,46 +2392,46 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     {
         is_seen_0 = false;
     }
-    var middle_3 : vec3<f32>;
+    var middle_8 : vec3<f32>;
     if(is_seen_0)
     {
         var row_12 : u32 = u32(4) * sample_3.instance_2;
         var place_13 : vec4<f32> = vec4<f32>(sample_3.place_4, 1.0f);
-        var between_0 : vec4<f32> = vec4<f32>(middle_2, 1.0f);
+        var between_0 : vec4<f32> = vec4<f32>(middle_7, 1.0f);
         var normal_6 : vec4<f32> = vec4<f32>(sample_3.normal_1, 0.0f);
-        var _S179 : u32 = row_12 + u32(1);
-        var _S180 : u32 = row_12 + u32(2);
-        wanted_5.place_6 = vec3<f32>(dot(motions_1[row_12], place_13), dot(motions_1[_S179], place_13), dot(motions_1[_S180], place_13));
-        var _S181 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S179], between_0), dot(motions_1[_S180], between_0));
-        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S179], normal_6), dot(motions_1[_S180], normal_6));
+        var _S185 : u32 = row_12 + u32(1);
+        var _S186 : u32 = row_12 + u32(2);
+        wanted_5.place_6 = vec3<f32>(dot(motions_1[row_12], place_13), dot(motions_1[_S185], place_13), dot(motions_1[_S186], place_13));
+        var _S187 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], between_0), dot(motions_1[_S185], between_0), dot(motions_1[_S186], between_0));
+        var turned_0 : vec3<f32> = vec3<f32>(dot(motions_1[row_12], normal_6), dot(motions_1[_S185], normal_6), dot(motions_1[_S186], normal_6));
         wanted_5.normal_3 = turned_0 / vec3<f32>(max(sqrt(length_squared_0(turned_0)), 9.99999968265522539e-21f));
-        middle_3 = _S181;
+        middle_8 = _S187;
     }
     else
     {
-        middle_3 = middle_2;
+        middle_8 = middle_7;
     }
-    var way_1 : vec3<f32> = middle_3 - real_time_0.before_origin_0;
-    var _S182 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
+    var way_1 : vec3<f32> = middle_8 - real_time_0.before_origin_0;
+    var _S188 : f32 = dot_product_0(real_time_0.before_rows_0[i32(2)].xyz, way_1);
     var is_seen_1 : bool = has_0(u32(32));
-    var _S183 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
+    var _S189 : vec2<f32> = vec2<f32>(dot_product_0(real_time_0.before_rows_0[i32(0)].xyz, way_1), dot_product_0(real_time_0.before_rows_0[i32(1)].xyz, way_1));
     var at_19 : vec2<f32>;
     if(has_0(u32(64)))
     {
         if(is_seen_1)
         {
-            is_seen_0 = _S182 > 9.99999997475242708e-07f;
+            is_seen_0 = _S188 > 9.99999997475242708e-07f;
         }
         else
         {
             is_seen_0 = false;
         }
-        at_19 = _S183 / vec2<f32>(max(_S182, 9.99999997475242708e-07f));
+        at_19 = _S189 / vec2<f32>(max(_S188, 9.99999997475242708e-07f));
     }
     else
     {
         is_seen_0 = is_seen_1;
-        at_19 = _S183;
+        at_19 = _S189;
     }
     if(!is_seen_0)
     {
@@ -2339,38 +2445,38 @@ fn lit_before_0( sample_3 : Sample_0,  pixel_1 : vec2<u32>,  shown_0 : ptr<funct
     {
         return not_lit_0();
     }
-    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S178;
+    var middle_of_pixel_0 : vec2<f32> = floor(at_19) + _S184;
     var at_20 : vec2<f32> = select(at_19, middle_of_pixel_0, (abs(at_19 - middle_of_pixel_0)) <= vec2<f32>(0.00100000004749745f));
-    var _S184 : vec2<f32> = at_20 - _S178;
-    var corner_10 : vec2<f32> = floor(_S184);
-    var share_5 : vec2<f32> = _S184 - corner_10;
+    var _S190 : vec2<f32> = at_20 - _S184;
+    var corner_10 : vec2<f32> = floor(_S190);
+    var share_5 : vec2<f32> = _S190 - corner_10;
     var across_2 : vec4<f32> = cubic_weights_0(share_5.x);
     var down_2 : vec4<f32> = cubic_weights_0(share_5.y);
     if(is_inside_0(vec2<i32>(floor(at_20))))
     {
         (*shown_0) = shown_at_0(vec2<i32>(corner_10), across_2, down_2);
     }
-    var _S185 : vec2<i32> = vec2<i32>(corner_10);
+    var _S191 : vec2<i32> = vec2<i32>(corner_10);
     var lit_5 : Lit_0;
-    var _S186 : bool = cubic_0(wanted_5, _S185, across_2, down_2, &(lit_5));
-    if(_S186)
+    var _S192 : bool = cubic_0(wanted_5, _S191, across_2, down_2, &(lit_5));
+    if(_S192)
     {
         return lit_5;
     }
-    var _S187 : bool = linear_mean_0(wanted_5, _S185, share_5, &(lit_5));
-    if(!_S187)
+    var _S193 : bool = linear_mean_0(wanted_5, _S191, share_5, &(lit_5));
+    if(!_S193)
     {
         lit_5 = nearest_0(wanted_5, at_20);
     }
-    lit_5.paths_1 = min(lit_5.paths_1, 8.0f);
+    lit_5.paths_6 = min(lit_5.paths_6, 8.0f);
     return lit_5;
 }
 
-fn Lit_beyond_0( this_9 : Lit_0,  kept_5 : vec3<f32>) -> vec3<f32>
+fn Lit_beyond_0( this_9 : Lit_0,  kept_6 : vec3<f32>) -> vec3<f32>
 {
-    var products_0 : vec3<f32> = Lit_products_0(this_9, kept_5);
-    var _S188 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S188), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S188);
+    var products_0 : vec3<f32> = Lit_products_0(this_9, kept_6);
+    var _S194 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_9.moments_0 / max(products_0, _S194), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S194);
 }
 
 fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
@@ -2384,7 +2490,7 @@ fn words_of_0( lit_6 : Lit_0) -> vec3<u32>
 fn store_known_0( index_24 : u32,  lit_7 : Lit_0,  shown_1 : u32)
 {
     var words_3 : vec3<u32> = words_of_0(lit_7);
-    set_scratch_row_0(u32(7), index_24, vec2<u32>(halves_0(lit_7.light_10.x, lit_7.light_10.y), halves_0(lit_7.light_10.z, lit_7.paths_1)));
+    set_scratch_row_0(u32(7), index_24, vec2<u32>(halves_0(lit_7.light_10.x, lit_7.light_10.y), halves_0(lit_7.light_10.z, lit_7.paths_6)));
     set_scratch_row_0(u32(8), index_24, words_3.xy);
     set_scratch_row_0(u32(9), index_24, vec2<u32>(words_3.z, shown_1));
     return;
@@ -2395,38 +2501,38 @@ fn store_known_0( index_24 : u32,  lit_7 : Lit_0,  shown_1 : u32)
 fn reproject(@builtin(global_invocation_id) id_4 : vec3<u32>)
 {
     var at_21 : vec2<u32> = pixel_of_thread_0(id_4.x);
-    var _S189 : vec2<i32> = vec2<i32>(at_21);
-    if(is_inside_0(_S189))
+    var _S195 : vec2<i32> = vec2<i32>(at_21);
+    if(is_inside_0(_S195))
     {
         var index_25 : u32 = index_of_0(at_21);
-        var sample_4 : Sample_0 = sample_at_0(_S189);
+        var sample_4 : Sample_0 = sample_at_0(_S195);
         var shown_2 : u32 = u32(0);
         var lit_8 : Lit_0 = not_lit_0();
-        var _S190 : bool;
+        var _S196 : bool;
         if(has_0(u32(2048)))
         {
-            _S190 = (((memory_row_0(u32(0), index_25).w) & (u32(2147483648)))) != u32(0);
+            _S196 = (((memory_row_0(u32(0), index_25).w) & (u32(2147483648)))) != u32(0);
         }
         else
         {
-            _S190 = false;
+            _S196 = false;
         }
-        if(_S190)
+        if(_S196)
         {
-            _S190 = !shows_mover_0(sample_4);
-        }
-        else
-        {
-            _S190 = false;
-        }
-        if(_S190)
-        {
-            lit_8.paths_1 = -1.0f;
+            _S196 = !shows_mover_0(sample_4);
         }
         else
         {
-            var _S191 : Lit_0 = lit_before_0(sample_4, at_21, &(shown_2));
-            lit_8 = _S191;
+            _S196 = false;
+        }
+        if(_S196)
+        {
+            lit_8.paths_6 = -1.0f;
+        }
+        else
+        {
+            var _S197 : Lit_0 = lit_before_0(sample_4, at_21, &(shown_2));
+            lit_8 = _S197;
         }
         store_known_0(index_25, lit_8, shown_2);
     }
@@ -2449,24 +2555,24 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_10 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_8 : vec3<f32>,  place_15 : vec3<f32>,  roughness_1 : f32,  coverage_1 : f32,  shown_4 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
-    var _S192 : Memory_0;
-    _S192.lit_9 = lit_10;
-    _S192.looks_0 = looks_1;
-    _S192.direct_2 = direct_3;
-    _S192.albedo_2 = albedo_3;
-    _S192.normal_7 = normal_8;
-    _S192.place_14 = place_15;
-    _S192.roughness_0 = roughness_1;
-    _S192.coverage_0 = coverage_1;
-    _S192.shown_3 = shown_4;
-    _S192.is_at_rest_0 = is_at_rest_1;
-    return _S192;
+    var _S198 : Memory_0;
+    _S198.lit_9 = lit_10;
+    _S198.looks_0 = looks_1;
+    _S198.direct_2 = direct_3;
+    _S198.albedo_2 = albedo_3;
+    _S198.normal_7 = normal_8;
+    _S198.place_14 = place_15;
+    _S198.roughness_0 = roughness_1;
+    _S198.coverage_0 = coverage_1;
+    _S198.shown_3 = shown_4;
+    _S198.is_at_rest_0 = is_at_rest_1;
+    return _S198;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S193 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S193, _S193, _S193, _S193, 0.0f, 0.0f, u32(0), false);
+    var _S199 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S199, _S199, _S199, _S199, 0.0f, 0.0f, u32(0), false);
 }
 
 fn load_memory_0( index_26 : u32) -> Memory_0
@@ -2477,19 +2583,19 @@ fn load_memory_0( index_26 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_9 = load_lit_0(index_26);
     memory_0.looks_0 = high_half_0(shaded_4.x);
-    var _S194 : u32 = seen_0.x;
-    var _S195 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S194), high_half_0(_S194), low_half_0(_S195));
-    var _S196 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S195), low_half_0(_S196), high_half_0(_S196));
-    var _S197 : u32 = surface_3.w;
-    memory_0.normal_7 = normal_in_0(_S197);
+    var _S200 : u32 = seen_0.x;
+    var _S201 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S200), high_half_0(_S200), low_half_0(_S201));
+    var _S202 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S201), low_half_0(_S202), high_half_0(_S202));
+    var _S203 : u32 = surface_3.w;
+    memory_0.normal_7 = normal_in_0(_S203);
     memory_0.place_14 = (bitcast<vec3<f32>>((surface_3.xyz)));
-    var _S198 : u32 = shaded_4.y;
-    memory_0.roughness_0 = high_half_0(_S198);
-    memory_0.coverage_0 = low_half_0(_S198);
+    var _S204 : u32 = shaded_4.y;
+    memory_0.roughness_0 = high_half_0(_S204);
+    memory_0.coverage_0 = low_half_0(_S204);
     memory_0.shown_3 = seen_0.w;
-    memory_0.is_at_rest_0 = ((_S197 & (u32(2147483648)))) != u32(0);
+    memory_0.is_at_rest_0 = ((_S203 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -2505,9 +2611,9 @@ fn Memory_look_anew_0( this_10 : ptr<function, Memory_0>)
 fn load_known_0( index_27 : u32) -> Lit_0
 {
     var light_14 : vec2<u32> = scratch_row_0(u32(7), index_27);
-    var _S199 : u32 = light_14.y;
-    var _S200 : u32 = light_14.x;
-    return lit_of_0(high_half_0(_S199), vec3<f32>(low_half_0(_S200), high_half_0(_S200), low_half_0(_S199)), vec3<u32>(scratch_row_0(u32(8), index_27), scratch_row_0(u32(9), index_27).x));
+    var _S205 : u32 = light_14.y;
+    var _S206 : u32 = light_14.x;
+    return lit_of_0(high_half_0(_S205), vec3<f32>(low_half_0(_S206), high_half_0(_S206), low_half_0(_S205)), vec3<u32>(scratch_row_0(u32(8), index_27), scratch_row_0(u32(9), index_27).x));
 }
 
 fn memory_before_0( index_28 : u32) -> Memory_0
@@ -2527,7 +2633,7 @@ fn memory_before_0( index_28 : u32) -> Memory_0
         return memory_1;
     }
     memory_1.lit_9 = load_known_0(index_28);
-    if((memory_1.lit_9.paths_1) == -1.0f)
+    if((memory_1.lit_9.paths_6) == -1.0f)
     {
         return load_memory_0(index_28);
     }
@@ -2547,12 +2653,12 @@ fn in_ten_bits_0( normal_10 : vec3<f32>) -> vec3<f32>
 
 fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
 {
-    var _S201 : f32 = (*this_11).looks_0 + 1.0f;
-    (*this_11).looks_0 = _S201;
-    var share_6 : f32 = 1.0f / _S201;
-    var _S202 : vec3<f32> = vec3<f32>(share_6);
-    (*this_11).direct_2 = (*this_11).direct_2 + (sample_5.direct_0 - (*this_11).direct_2) * _S202;
-    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_5.albedo_0 - (*this_11).albedo_2) * _S202;
+    var _S207 : f32 = (*this_11).looks_0 + 1.0f;
+    (*this_11).looks_0 = _S207;
+    var share_6 : f32 = 1.0f / _S207;
+    var _S208 : vec3<f32> = vec3<f32>(share_6);
+    (*this_11).direct_2 = (*this_11).direct_2 + (sample_5.direct_0 - (*this_11).direct_2) * _S208;
+    (*this_11).albedo_2 = (*this_11).albedo_2 + (sample_5.albedo_0 - (*this_11).albedo_2) * _S208;
     if(!sample_5.is_shown_0)
     {
         (*this_11).coverage_0 = (*this_11).coverage_0 - (*this_11).coverage_0 * share_6;
@@ -2562,9 +2668,9 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
     (*this_11).coverage_0 = covered_0 * share_6;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_2 : vec3<f32> = (*this_11).place_14;
-    var _S203 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_5.normal_1 - (*this_11).normal_7) * _S203);
-    (*this_11).place_14 = (*this_11).place_14 + (sample_5.place_4 - (*this_11).place_14) * _S203;
+    var _S209 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_11).normal_7 = in_ten_bits_0((*this_11).normal_7 + (sample_5.normal_1 - (*this_11).normal_7) * _S209);
+    (*this_11).place_14 = (*this_11).place_14 + (sample_5.place_4 - (*this_11).place_14) * _S209;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_11).normal_7, sample_5.place_4 - before_2);
@@ -2575,57 +2681,57 @@ fn Memory_look_0( this_11 : ptr<function, Memory_0>,  sample_5 : Sample_0)
 
 fn Lit_add_0( this_12 : ptr<function, Lit_0>,  found_2 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S204 : f32 = min((*this_12).paths_1 + 1.0f, most_0);
-    (*this_12).paths_1 = _S204;
+    var _S210 : f32 = min((*this_12).paths_6 + 1.0f, most_0);
+    (*this_12).paths_6 = _S210;
     var l_1 : f32 = luminance_0(found_2);
     var a_4 : f32 = luminance_0(albedo_4);
-    var _S205 : vec3<f32> = vec3<f32>((1.0f / _S204));
-    (*this_12).light_10 = (*this_12).light_10 + (found_2 - (*this_12).light_10) * _S205;
-    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S205;
-    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S205;
+    var _S211 : vec3<f32> = vec3<f32>((1.0f / _S210));
+    (*this_12).light_10 = (*this_12).light_10 + (found_2 - (*this_12).light_10) * _S211;
+    (*this_12).shaded_1 = (*this_12).shaded_1 + (albedo_4 - (*this_12).shaded_1) * _S211;
+    (*this_12).moments_0 = (*this_12).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_4, a_4 * a_4) - (*this_12).moments_0) * _S211;
     return;
 }
 
 fn Memory_add_0( this_13 : ptr<function, Memory_0>,  sample_6 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_13)), sample_6);
-    var _S206 : Lit_0 = (*this_13).lit_9;
-    Lit_add_0(&(_S206), sample_6.light_8, sample_6.albedo_0, most_1);
-    (*this_13).lit_9 = _S206;
+    var _S212 : Lit_0 = (*this_13).lit_9;
+    Lit_add_0(&(_S212), sample_6.light_8, sample_6.albedo_0, most_1);
+    (*this_13).lit_9 = _S212;
     return;
 }
 
 fn packed_normal_0( normal_11 : vec3<f32>) -> u32
 {
-    var _S207 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
-    return (((((u32(_S207.x) & (u32(1023)))) | (((((u32(_S207.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S207.z) & (u32(1023)))) << (u32(20))))));
+    var _S213 : vec3<i32> = vec3<i32>(normal_steps_0(normal_11));
+    return (((((u32(_S213.x) & (u32(1023)))) | (((((u32(_S213.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S213.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_memory_0( index_29 : u32,  memory_2 : Memory_0)
 {
     var pixels_1 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_9);
-    var _S208 : u32 = packed_normal_0(memory_2.normal_7);
-    var _S209 : u32;
+    var _S214 : u32 = packed_normal_0(memory_2.normal_7);
+    var _S215 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S209 = u32(1073741824);
+        _S215 = u32(1073741824);
     }
     else
     {
-        _S209 = u32(0);
+        _S215 = u32(0);
     }
-    var _S210 : u32 = (_S208 | (_S209));
+    var _S216 : u32 = (_S214 | (_S215));
     if(memory_2.is_at_rest_0)
     {
-        _S209 = u32(2147483648);
+        _S215 = u32(2147483648);
     }
     else
     {
-        _S209 = u32(0);
+        _S215 = u32(0);
     }
-    memory_rows_0[index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_14))), (_S210 | (_S209)));
-    memory_rows_0[pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.lit_9.paths_1, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
+    memory_rows_0[index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_14))), (_S216 | (_S215)));
+    memory_rows_0[pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.lit_9.paths_6, memory_2.looks_0), halves_0(memory_2.coverage_0, memory_2.roughness_0), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_1 + index_29] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_9.light_10))), words_4.z);
     memory_rows_0[u32(3) * pixels_1 + index_29] = vec4<u32>(halves_0(memory_2.direct_2.x, memory_2.direct_2.y), halves_0(memory_2.direct_2.z, memory_2.albedo_2.x), halves_0(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_3);
     return;
@@ -2636,38 +2742,38 @@ fn store_memory_0( index_29 : u32,  memory_2 : Memory_0)
 fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
 {
     var at_22 : vec2<u32> = pixel_of_thread_0(id_5.x);
-    var _S211 : vec2<i32> = vec2<i32>(at_22);
-    var _S212 : bool;
-    if(is_inside_0(_S211))
+    var _S217 : vec2<i32> = vec2<i32>(at_22);
+    var _S218 : bool;
+    if(is_inside_0(_S217))
     {
-        _S212 = !traces_0(_S211);
+        _S218 = !traces_0(_S217);
     }
     else
     {
-        _S212 = false;
+        _S218 = false;
     }
-    if(_S212)
+    if(_S218)
     {
         var index_30 : u32 = index_of_0(at_22);
         var memory_3 : Memory_0 = memory_before_0(index_30);
-        var is_lit_0 : bool = (memory_3.lit_9.paths_1) > 0.0f;
+        var is_lit_0 : bool = (memory_3.lit_9.paths_6) > 0.0f;
         if(!is_lit_0)
         {
-            _S212 = true;
+            _S218 = true;
         }
         else
         {
             if(has_0(u32(8)))
             {
-                _S212 = true;
+                _S218 = true;
             }
             else
             {
-                _S212 = memory_3.is_at_rest_0;
+                _S218 = memory_3.is_at_rest_0;
             }
-            _S212 = !_S212;
+            _S218 = !_S218;
         }
-        if(_S212)
+        if(_S218)
         {
             var which_1 : u32 = u32(0);
             for(;;)
@@ -2679,7 +2785,7 @@ fn remember_others(@builtin(global_invocation_id) id_5 : vec3<u32>)
                 {
                     break;
                 }
-                var beside_6 : vec2<i32> = _S211 + neighbour_0(which_1);
+                var beside_6 : vec2<i32> = _S217 + neighbour_0(which_1);
                 if(!is_inside_0(beside_6))
                 {
                     which_1 = which_1 + u32(1);
@@ -2716,7 +2822,7 @@ fn Lit_variance_0( this_15 : Lit_0) -> f32
 {
     var albedo_5 : f32 = luminance_0(this_15.shaded_1) + 0.00300000002607703f;
     var ratio_0 : f32 = luminance_0(Lit_irradiance_0(this_15));
-    return max(this_15.moments_0.x - 2.0f * ratio_0 * this_15.moments_0.y + ratio_0 * ratio_0 * this_15.moments_0.z, 0.0f) / (albedo_5 * albedo_5 * max(this_15.paths_1 - 1.0f, 0.5f));
+    return max(this_15.moments_0.x - 2.0f * ratio_0 * this_15.moments_0.y + ratio_0 * ratio_0 * this_15.moments_0.z, 0.0f) / (albedo_5 * albedo_5 * max(this_15.paths_6 - 1.0f, 0.5f));
 }
 
 fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
@@ -2756,10 +2862,10 @@ fn variance_around_0( at_23 : vec2<i32>,  center_1 : Center_0) -> f32
             var index_31 : u32 = index_of_0(vec2<u32>(other_9));
             var weight_7 : f32 = Center_alike_0(center_1, index_31);
             var light_15 : f32 = luminance_0(Lit_irradiance_0(load_lit_0(index_31)));
-            var _S213 : f32 = weight_7 * light_15;
-            var squares_4 : f32 = squares_3 + _S213 * light_15;
+            var _S219 : f32 = weight_7 * light_15;
+            var squares_4 : f32 = squares_3 + _S219 * light_15;
             var weights_18 : f32 = weights_17 + weight_7;
-            sum_11 = sum_11 + _S213;
+            sum_11 = sum_11 + _S219;
             squares_3 = squares_4;
             weights_17 = weights_18;
             dx_7 = dx_7 + i32(1);
@@ -2780,10 +2886,10 @@ fn begin_filter_0( at_24 : vec2<i32>)
     var color_18 : vec3<f32> = Lit_irradiance_0(lit_11);
     var own_6 : f32 = Lit_variance_0(lit_11);
     var own_7 : f32;
-    if((lit_11.paths_1) < 3.5f)
+    if((lit_11.paths_6) < 3.5f)
     {
         var around_0 : f32 = variance_around_0(at_24, center_of_0(index_32));
-        if((lit_11.paths_1) < 1.5f)
+        if((lit_11.paths_6) < 1.5f)
         {
             own_7 = around_0;
         }
@@ -2805,21 +2911,21 @@ fn begin_filter_0( at_24 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_begin(@builtin(global_invocation_id) id_6 : vec3<u32>)
 {
-    var _S214 : vec2<u32> = pixel_of_thread_0(id_6.x);
-    var _S215 : vec2<i32> = vec2<i32>(_S214);
-    if(is_inside_0(_S215))
+    var _S220 : vec2<u32> = pixel_of_thread_0(id_6.x);
+    var _S221 : vec2<i32> = vec2<i32>(_S220);
+    if(is_inside_0(_S221))
     {
-        begin_filter_0(_S215);
+        begin_filter_0(_S221);
     }
     return;
 }
 
 fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
 {
-    var _S216 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
-    var _S217 : vec2<f32> = vec2<f32>(0.0f);
+    var _S222 : Center_0 = center_of_0(index_of_0(vec2<u32>(at_25)));
+    var _S223 : vec2<f32> = vec2<f32>(0.0f);
     var dy_8 : i32 = i32(-2);
-    var sum_12 : vec2<f32> = _S217;
+    var sum_12 : vec2<f32> = _S223;
     var weights_19 : f32 = 0.0f;
     for(;;)
     {
@@ -2849,7 +2955,7 @@ fn mean_around_0( row_13 : u32,  at_25 : vec2<i32>,  step_3 : i32) -> vec2<f32>
                 continue;
             }
             var index_33 : u32 = index_of_0(vec2<u32>(other_10));
-            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S216, index_33);
+            var weight_8 : f32 = SPLINE_0[abs(dx_8)] * SPLINE_0[abs(dy_8)] * Center_alike_0(_S222, index_33);
             var weights_21 : f32 = weights_20 + weight_8;
             sum_13 = sum_13 + numbers_0(row_13, index_33) * vec2<f32>(weight_8);
             weights_20 = weights_21;
@@ -2875,11 +2981,11 @@ fn compare_around_0( at_26 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_compare(@builtin(global_invocation_id) id_7 : vec3<u32>)
 {
-    var _S218 : vec2<u32> = pixel_of_thread_0(id_7.x);
-    var _S219 : vec2<i32> = vec2<i32>(_S218);
-    if(is_inside_0(_S219))
+    var _S224 : vec2<u32> = pixel_of_thread_0(id_7.x);
+    var _S225 : vec2<i32> = vec2<i32>(_S224);
+    if(is_inside_0(_S225))
     {
-        compare_around_0(_S219);
+        compare_around_0(_S225);
     }
     return;
 }
@@ -2891,9 +2997,9 @@ fn estimate_noise_0( at_27 : vec2<i32>)
     var color_19 : vec4<f32> = color_in_0(u32(0), index_35);
     color_19[i32(3)] = sqrt(max(own_8, mean_around_0(u32(5), at_27, i32(2)).x));
     set_color_0(u32(0), index_35, color_19);
-    var _S220 : vec2<f32> = vec2<f32>(0.0f);
+    var _S226 : vec2<f32> = vec2<f32>(0.0f);
     var dx_9 : i32 = i32(-8);
-    var sum_14 : vec2<f32> = _S220;
+    var sum_14 : vec2<f32> = _S226;
     var count_9 : f32 = 0.0f;
     for(;;)
     {
@@ -2924,11 +3030,11 @@ fn estimate_noise_0( at_27 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_noise(@builtin(global_invocation_id) id_8 : vec3<u32>)
 {
-    var _S221 : vec2<u32> = pixel_of_thread_0(id_8.x);
-    var _S222 : vec2<i32> = vec2<i32>(_S221);
-    if(is_inside_0(_S222))
+    var _S227 : vec2<u32> = pixel_of_thread_0(id_8.x);
+    var _S228 : vec2<i32> = vec2<i32>(_S227);
+    if(is_inside_0(_S228))
     {
-        estimate_noise_0(_S222);
+        estimate_noise_0(_S228);
     }
     return;
 }
@@ -2938,7 +3044,7 @@ fn set_tolerance_0( at_28 : vec2<i32>)
     var index_36 : u32 = index_of_0(vec2<u32>(at_28));
     var mean_1 : vec2<f32> = mean_down_0(u32(3), at_28, i32(8));
     var excess_0 : f32 = mean_1.x / max(mean_1.y, 1.00000000317107685e-30f);
-    set_color_0(u32(2), index_36, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(10.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 10.0f * (1.0f + 8.0f / max(low_half_0(memory_row_0(u32(1), index_36).x), 1.0f)))));
+    set_color_0(u32(2), index_36, vec4<f32>(0.0f, 0.0f, 0.0f, clamp(10.0f / max(excess_0 * excess_0, 9.99999997475242708e-07f), 2.5f, 7.0f * (1.0f + 13.0f / max(low_half_0(memory_row_0(u32(1), index_36).x), 1.0f)))));
     return;
 }
 
@@ -2946,11 +3052,11 @@ fn set_tolerance_0( at_28 : vec2<i32>)
 @workgroup_size(64, 1, 1)
 fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 {
-    var _S223 : vec2<u32> = pixel_of_thread_0(id_9.x);
-    var _S224 : vec2<i32> = vec2<i32>(_S223);
-    if(is_inside_0(_S224))
+    var _S229 : vec2<u32> = pixel_of_thread_0(id_9.x);
+    var _S230 : vec2<i32> = vec2<i32>(_S229);
+    if(is_inside_0(_S230))
     {
-        set_tolerance_0(_S224);
+        set_tolerance_0(_S230);
     }
     return;
 }
@@ -2959,11 +3065,11 @@ fn filter_tolerance(@builtin(global_invocation_id) id_9 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 {
-    var _S225 : vec2<u32> = pixel_of_thread_0(id_10.x);
-    var _S226 : vec2<i32> = vec2<i32>(_S225);
-    if(is_inside_0(_S226))
+    var _S231 : vec2<u32> = pixel_of_thread_0(id_10.x);
+    var _S232 : vec2<i32> = vec2<i32>(_S231);
+    if(is_inside_0(_S232))
     {
-        smooth_light_4(_S226);
+        smooth_light_4(_S232);
     }
     return;
 }
@@ -2972,11 +3078,11 @@ fn filter_level_0(@builtin(global_invocation_id) id_10 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 {
-    var _S227 : vec2<u32> = pixel_of_thread_0(id_11.x);
-    var _S228 : vec2<i32> = vec2<i32>(_S227);
-    if(is_inside_0(_S228))
+    var _S233 : vec2<u32> = pixel_of_thread_0(id_11.x);
+    var _S234 : vec2<i32> = vec2<i32>(_S233);
+    if(is_inside_0(_S234))
     {
-        smooth_light_3(_S228);
+        smooth_light_3(_S234);
     }
     return;
 }
@@ -2985,11 +3091,11 @@ fn filter_level_1(@builtin(global_invocation_id) id_11 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 {
-    var _S229 : vec2<u32> = pixel_of_thread_0(id_12.x);
-    var _S230 : vec2<i32> = vec2<i32>(_S229);
-    if(is_inside_0(_S230))
+    var _S235 : vec2<u32> = pixel_of_thread_0(id_12.x);
+    var _S236 : vec2<i32> = vec2<i32>(_S235);
+    if(is_inside_0(_S236))
     {
-        smooth_light_2(_S230);
+        smooth_light_2(_S236);
     }
     return;
 }
@@ -2998,11 +3104,11 @@ fn filter_level_2(@builtin(global_invocation_id) id_12 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 {
-    var _S231 : vec2<u32> = pixel_of_thread_0(id_13.x);
-    var _S232 : vec2<i32> = vec2<i32>(_S231);
-    if(is_inside_0(_S232))
+    var _S237 : vec2<u32> = pixel_of_thread_0(id_13.x);
+    var _S238 : vec2<i32> = vec2<i32>(_S237);
+    if(is_inside_0(_S238))
     {
-        smooth_light_1(_S232);
+        smooth_light_1(_S238);
     }
     return;
 }
@@ -3011,11 +3117,11 @@ fn filter_level_3(@builtin(global_invocation_id) id_13 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 {
-    var _S233 : vec2<u32> = pixel_of_thread_0(id_14.x);
-    var _S234 : vec2<i32> = vec2<i32>(_S233);
-    if(is_inside_0(_S234))
+    var _S239 : vec2<u32> = pixel_of_thread_0(id_14.x);
+    var _S240 : vec2<i32> = vec2<i32>(_S239);
+    if(is_inside_0(_S240))
     {
-        smooth_light_0(_S234);
+        smooth_light_0(_S240);
     }
     return;
 }
@@ -3024,11 +3130,11 @@ fn filter_level_4(@builtin(global_invocation_id) id_14 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 {
-    var _S235 : vec2<u32> = pixel_of_thread_0(id_15.x);
-    var _S236 : vec2<i32> = vec2<i32>(_S235);
-    if(is_inside_0(_S236))
+    var _S241 : vec2<u32> = pixel_of_thread_0(id_15.x);
+    var _S242 : vec2<i32> = vec2<i32>(_S241);
+    if(is_inside_0(_S242))
     {
-        end_levels_0(_S236);
+        end_levels_0(_S242);
     }
     return;
 }
@@ -3037,11 +3143,11 @@ fn filter_end(@builtin(global_invocation_id) id_15 : vec3<u32>)
 @workgroup_size(64, 1, 1)
 fn filter_across(@builtin(global_invocation_id) id_16 : vec3<u32>)
 {
-    var _S237 : vec2<u32> = pixel_of_thread_0(id_16.x);
-    var _S238 : vec2<i32> = vec2<i32>(_S237);
-    if(is_inside_0(_S238))
+    var _S243 : vec2<u32> = pixel_of_thread_0(id_16.x);
+    var _S244 : vec2<i32> = vec2<i32>(_S243);
+    if(is_inside_0(_S244))
     {
-        compare_across_0(_S238);
+        compare_across_0(_S244);
     }
     return;
 }
@@ -3061,13 +3167,13 @@ fn radiance_of_0( memory_4 : Memory_0,  irradiance_0 : vec3<f32>) -> vec3<f32>
 @workgroup_size(64, 1, 1)
 fn filter_picture(@builtin(global_invocation_id) id_17 : vec3<u32>)
 {
-    var _S239 : vec2<u32> = pixel_of_thread_0(id_17.x);
-    var _S240 : vec2<i32> = vec2<i32>(_S239);
-    if(is_inside_0(_S240))
+    var _S245 : vec2<u32> = pixel_of_thread_0(id_17.x);
+    var _S246 : vec2<i32> = vec2<i32>(_S245);
+    if(is_inside_0(_S246))
     {
-        var index_37 : u32 = index_of_0(vec2<u32>(_S240));
+        var index_37 : u32 = index_of_0(vec2<u32>(_S246));
         var memory_5 : Memory_0 = load_memory_0(index_37);
-        set_color_0(u32(2), index_37, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S240, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
+        set_color_0(u32(2), index_37, vec4<f32>(radiance_of_0(memory_5, trusted_light_0(_S246, Lit_irradiance_0(memory_5.lit_9))), 0.0f));
     }
     return;
 }
@@ -3078,40 +3184,40 @@ fn is_kept_0( index_38 : u32) -> bool
     {
         return false;
     }
-    var _S241 : bool;
+    var _S247 : bool;
     if(has_0(u32(2048)))
     {
-        _S241 = (high_half_0(memory_row_0(u32(1), index_38).x)) > 4.0f;
+        _S247 = (high_half_0(memory_row_0(u32(1), index_38).x)) > 4.0f;
     }
     else
     {
-        _S241 = false;
+        _S247 = false;
     }
-    return _S241;
+    return _S247;
 }
 
 fn ycocg_0( color_20 : vec3<f32>) -> vec3<f32>
 {
-    var _S242 : f32 = color_20.x;
-    var _S243 : f32 = 0.5f * color_20.y;
-    var _S244 : f32 = color_20.z;
-    return vec3<f32>(0.25f * _S242 + _S243 + 0.25f * _S244, 0.5f * (_S242 - _S244), _S243 - 0.25f * (_S242 + _S244));
+    var _S248 : f32 = color_20.x;
+    var _S249 : f32 = 0.5f * color_20.y;
+    var _S250 : f32 = color_20.z;
+    return vec3<f32>(0.25f * _S248 + _S249 + 0.25f * _S250, 0.5f * (_S248 - _S250), _S249 - 0.25f * (_S248 + _S250));
 }
 
 fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
 {
     var index_39 : u32 = index_of_0(vec2<u32>(at_29));
     var now_1 : vec3<f32> = color_in_0(u32(2), index_39).xyz;
-    var _S245 : bool;
+    var _S251 : bool;
     if(word_6 == u32(0))
     {
-        _S245 = true;
+        _S251 = true;
     }
     else
     {
-        _S245 = (real_time_0.share_0) >= 1.0f;
+        _S251 = (real_time_0.share_0) >= 1.0f;
     }
-    if(_S245)
+    if(_S251)
     {
         return now_1;
     }
@@ -3120,10 +3226,10 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
     {
         return history_0 + (now_1 - history_0) * vec3<f32>(0.5f);
     }
-    var _S246 : vec3<f32> = vec3<f32>(0.0f);
+    var _S252 : vec3<f32> = vec3<f32>(0.0f);
     var place_16 : i32 = i32(0);
-    var sum_15 : vec3<f32> = _S246;
-    var squares_5 : vec3<f32> = _S246;
+    var sum_15 : vec3<f32> = _S252;
+    var squares_5 : vec3<f32> = _S252;
     var count_11 : f32 = 0.0f;
     for(;;)
     {
@@ -3149,13 +3255,13 @@ fn antialiased_0( at_29 : vec2<i32>,  word_6 : u32) -> vec3<f32>
         place_16 = place_16 + i32(1);
     }
     var mean_2 : vec3<f32> = sum_15 / vec3<f32>(count_11);
-    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S246));
+    var reach_2 : vec3<f32> = vec3<f32>(1.5f) * sqrt(max(squares_5 / vec3<f32>(count_11) - mean_2 * mean_2, _S252));
     var shown_7 : vec3<f32> = clamp(ycocg_0(history_0), mean_2 - reach_2, mean_2 + reach_2);
     var shown_8 : vec3<f32> = shown_7 + (ycocg_0(now_1) - shown_7) * vec3<f32>(real_time_0.share_0);
-    var _S247 : f32 = shown_8.x;
-    var _S248 : f32 = shown_8.y;
-    var _S249 : f32 = shown_8.z;
-    return max(vec3<f32>(_S247 + _S248 - _S249, _S247 + _S249, _S247 - _S248 - _S249), _S246);
+    var _S253 : f32 = shown_8.x;
+    var _S254 : f32 = shown_8.y;
+    var _S255 : f32 = shown_8.z;
+    return max(vec3<f32>(_S253 + _S254 - _S255, _S253 + _S255, _S253 - _S254 - _S255), _S252);
 }
 
 fn half_of_0( value_4 : f32) -> u32
@@ -3186,16 +3292,16 @@ fn half_of_0( value_4 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local_invocation_index) thread_1 : u32)
 {
-    var _S250 : u32 = id_18.x;
-    var _S251 : vec2<u32> = pixel_of_thread_0(_S250);
-    var _S252 : vec2<i32> = vec2<i32>(_S251);
-    if(is_inside_0(_S252))
+    var _S256 : u32 = id_18.x;
+    var _S257 : vec2<u32> = pixel_of_thread_0(_S256);
+    var _S258 : vec2<i32> = vec2<i32>(_S257);
+    if(is_inside_0(_S258))
     {
-        var index_40 : u32 = index_of_0(vec2<u32>(_S252));
+        var index_40 : u32 = index_of_0(vec2<u32>(_S258));
         var radiance_0 : vec3<f32>;
         if(has_0(u32(256)))
         {
-            radiance_0 = antialiased_0(_S252, memory_row_0(u32(3), index_40).w);
+            radiance_0 = antialiased_0(_S258, memory_row_0(u32(3), index_40).w);
         }
         else
         {
@@ -3207,11 +3313,11 @@ fn show_picture(@builtin(global_invocation_id) id_18 : vec3<u32>, @builtin(local
     }
     if(thread_1 == u32(0))
     {
-        if(_S250 == u32(0))
+        if(_S256 == u32(0))
         {
             atomicStore(&(counters_0[u32(0)]), dispatch_0.sequence_0);
         }
-        var _S253 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
+        var _S259 : u32 = atomicAdd(&(counters_0[u32(4)]), u32(1));
     }
     return;
 }

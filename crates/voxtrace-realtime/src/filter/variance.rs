@@ -8,14 +8,14 @@ use voxtrace_core::denoise::box_mean;
 use voxtrace_core::math::luminance;
 
 /// Between whole numbers, as the others, so that means of numbers of paths decide the same however they are rounded: paths from which on a pixel knows its noise itself.
-const ENOUGH_PATHS: f32 = 3.5;
+pub const ENOUGH_PATHS: f32 = 3.5;
 /// Paths that differ, so that their squares say something.
 pub const SEVERAL_PATHS: f32 = 1.5;
 /// Standard deviations by which the light of two pixels may differ before they are no longer alike, where light varies about as much as
 /// its noise would have it; the least, and the most after many paths.
-const TOLERANCE: [f32; 3] = [10.0, 2.5, 10.0];
+const TOLERANCE: [f32; 3] = [10.0, 2.5, 7.0];
 /// Paths of which there must be many times as many before that is the most.
-const PATHS_OF_TOLERANCE: f32 = 8.0;
+const PATHS_OF_TOLERANCE: f32 = 13.0;
 /// What a level of the wavelet transform has of the tolerance of the one before it: means of more pixels have shorter tails. After few paths, and after many.
 const TOLERANCE_FALL: [f32; 2] = [0.8, 0.6];
 /// Paths that are many for that.

@@ -3,7 +3,7 @@
 //! Thresholding for Image Denoising and Compression", IEEE TIP 9(9), 2000).
 
 use super::surfaces::Surfaces;
-use super::variance::SEVERAL_PATHS;
+use super::variance::{ENOUGH_PATHS, SEVERAL_PATHS};
 use crate::memory::Memory;
 use glam::Vec3;
 use rayon::prelude::*;
@@ -16,8 +16,14 @@ const LEAST_VARIANCE: f32 = 1e-6;
 const THRESHOLD: [f32; 2] = [4.0, 1.6];
 /// Pixels on either side over which the energy of details is averaged.
 const NEIGHBOURHOOD: usize = 1;
-/// The linear B-spline, from the middle outwards: the kernel of a level.
-const HAT: [f32; 2] = [1.0 / 2.0, 1.0 / 4.0];
+/// The middle of a level's kernel; on either side there is half of the rest. That of the linear B-spline, and of a narrower one after many paths, whose light
+/// needs fewer others.
+const MIDDLE: [f32; 2] = [0.5, 0.6];
+/// Paths that are many for that.
+const NARROW_PATHS: f32 = 31.5;
+/// What of another pixel's noise counts beside a pixel's own, times the paths that it remembers, once it knows its own. Else dark pixels, whose noise is
+/// little, would leave out bright ones that take light from them, and after few paths a picture would be too dark.
+const OTHERS_NOISE: f32 = 0.2;
 
 /// Light and the variance of its luminance, of each pixel.
 pub struct Light {
@@ -35,15 +41,20 @@ pub struct Coarse {
 pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: i32) -> Coarse {
     let pixel = |of: usize| {
         let own = luminance(light.color[of]);
-        let square = tolerance[of] * tolerance[of] * (light.variance[of] + LEAST_VARIANCE * own * own + 1e-12);
-        // One over the square difference of light at which pixels are no longer alike.
-        let scale = 1.0 / square;
+        let paths = surfaces.memory[of].paths;
+        let middle = if paths < NARROW_PATHS { MIDDLE[0] } else { MIDDLE[1] };
+        let hat = [middle, 0.5 * (1.0 - middle)];
+        // Square differences of light at which pixels are no longer alike: what the own noise says, and what each unit of another's variance adds.
+        let square = tolerance[of] * tolerance[of];
+        let own_reach = square * (light.variance[of] + LEAST_VARIANCE * own * own + 1e-12);
+        let others = if paths < ENOUGH_PATHS { 0.0 } else { square * (OTHERS_NOISE / paths) };
         let (mut color, mut variance, mut weights) = (Vec3::ZERO, 0.0, 0.0);
         surfaces.around(of, 1, step, |at, dx, dy| {
-            let mut weight = HAT[dx.unsigned_abs() as usize] * HAT[dy.unsigned_abs() as usize];
+            let mut weight = hat[dx.unsigned_abs() as usize] * hat[dy.unsigned_abs() as usize];
             if at != of {
                 let difference = luminance(light.color[at]) - own;
-                let lights = (1.0 - difference * difference * scale).max(0.0);
+                let reach = own_reach + others * light.variance[at];
+                let lights = (1.0 - difference * difference / reach).max(0.0);
                 weight *= surfaces.alike(of, at) * lights * lights;
             }
             color += light.color[at] * weight;
@@ -51,7 +62,7 @@ pub fn smooth(light: &Light, surfaces: &Surfaces, tolerance: &[f32], step: i32) 
             weights += weight;
         });
         let scale = 1.0 / weights;
-        (color * scale, (variance * scale * scale, HAT[0] * HAT[0] * scale))
+        (color * scale, (variance * scale * scale, hat[0] * hat[0] * scale))
     };
     let (color, rest): (Vec<_>, Vec<_>) = (0..light.color.len()).into_par_iter().map(pixel).unzip();
     let (variance, own_share) = rest.into_iter().unzip();

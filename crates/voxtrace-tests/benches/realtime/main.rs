@@ -48,6 +48,9 @@ struct Args {
     /// Last frame of each situation
     #[arg(long, default_value_t = u32::MAX)]
     frames: u32,
+    /// Seeds of which values are the means: one alone may be a per cent of light beside what many are
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    seeds: u32,
     /// Folder that keeps scenes, pictures of many samples and what was measured
     #[arg(long, default_value = "target/realtime")]
     cache: PathBuf,
@@ -137,6 +140,9 @@ impl Column<'_> {
     }
 }
 
+/// Values of each label and part, one for each seed.
+type Measured<'a> = Vec<((String, &'a str), Vec<[f64; 4]>)>;
+
 /// Measures what of a situation was not measured yet.
 fn measure(
     args: &Args,
@@ -148,23 +154,44 @@ fn measure(
         let has = still_filter(parts).is_none_or(|filter| situation.is_still() && references.has(filter));
         has && !results.has(name, &situation.to_string(), parts)
     };
-    let wanted: Vec<&String> = args.parts.iter().filter(is_wanted).collect();
+    let wanted: Vec<&str> = args.parts.iter().filter(is_wanted).map(String::as_str).collect();
     if wanted.is_empty() {
         return Ok(());
     }
+    let mut measured = Measured::new();
+    for seed in 0..args.seeds {
+        measure_seed(args, (name, situation, seed), &wanted, references, &mut measured)?;
+    }
+    for ((frame, parts), values) in measured {
+        let mean = |value: usize| values.iter().map(|values| values[value]).sum::<f64>() / values.len() as f64;
+        let (scene, situation, parts) = (name.to_owned(), situation.to_string(), parts.to_owned());
+        results.add(Line { scene, situation, frame, parts, values: std::array::from_fn(mean) })?;
+    }
+    Ok(())
+}
+
+/// The values of one seed. Filters of stills have those of the first alone.
+fn measure_seed<'a>(
+    args: &Args,
+    (name, situation, seed): (&str, Situation, u32),
+    wanted: &[&'a str],
+    references: &mut References,
+    measured: &mut Measured<'a>,
+) -> Outcome<()> {
     let (scene, frame) = scene_of(args, name, Some(situation))?;
-    let Some(steps) = situation.steps(scene, &frame)? else { return Ok(()) };
-    let column = |name| {
+    let Some(steps) = situation.steps(scene, &frame.seed(seed))? else { return Ok(()) };
+    let column = |&name: &&'a str| {
         let maker = if still_filter(name).is_some() { None } else { Some(Maker::new(args, parts(name)?)?) };
         Ok(Column { name, maker, totals: Totals::default() })
     };
-    let mut columns: Vec<Column> = wanted.into_iter().map(|name| column(name.as_str())).collect::<Outcome<_>>()?;
-    let line = |frame: &str, parts: &str, values: [f64; 4]| Line {
-        scene: name.to_owned(),
-        situation: situation.to_string(),
-        frame: frame.to_owned(),
-        parts: parts.to_owned(),
-        values,
+    let is_asked = |name: &&&str| seed == 0 || still_filter(name).is_none();
+    let mut columns: Vec<Column> = wanted.iter().filter(is_asked).map(column).collect::<Outcome<_>>()?;
+    let mut add = |label: &str, parts: &'a str, values: [f64; 4]| {
+        let key = (label.to_owned(), parts);
+        match measured.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, all)) => all.push(values),
+            None => measured.push((key, vec![values])),
+        }
     };
     for step in &steps {
         let is_over = step.label.parse::<u32>().is_ok_and(|number| number > args.frames);
@@ -180,17 +207,17 @@ fn measure(
             }
             let Some(reference) = &reference else { continue };
             let quality = Quality::of(reference, &picture, &step.frame)?;
-            if let Some(folder) = &args.pictures {
+            if let Some(folder) = args.pictures.as_ref().filter(|_| seed == 0) {
                 quality.write(folder, &format!("{name}-{situation}-{}-{}", column.name, step.label))?;
             }
             column.totals.add(&quality);
             if situation.has_each_step() {
-                results.add(line(&step.label, column.name, quality.values()))?;
+                add(&step.label, column.name, quality.values());
             }
         }
     }
     for column in &columns {
-        results.add(line("mean", column.name, column.totals.values(situation)))?;
+        add("mean", column.name, column.totals.values(situation));
     }
     Ok(())
 }

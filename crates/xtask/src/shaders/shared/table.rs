@@ -293,7 +293,9 @@ pub const TABLE: &[Source] = &[
             named("LEAST_VARIANCE", "WAVELET_LEAST_VARIANCE"),
             named("THRESHOLD", "WAVELET_THRESHOLD"),
             named("NEIGHBOURHOOD", "WAVELET_NEIGHBOURHOOD"),
-            same("HAT"),
+            same("MIDDLE"),
+            same("NARROW_PATHS"),
+            same("OTHERS_NOISE"),
         ],
     },
 ];
