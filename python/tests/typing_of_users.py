@@ -11,6 +11,8 @@ grid = voxtrace.VoxelGrid.from_numpy(numpy.zeros((3, 3, 3), numpy.uint8), palett
 scene.sky = voxtrace.Sky.uniform("#ffffff").with_sun(height=30)
 scene.add(grid, numpy.eye(4), name="box")
 hits = voxtrace.Renderer(scene, placeable=True).cast([[0, 0, 0]], [[0, 0, 1]], t_max=5)
+moving = voxtrace.open("crane.glb", animation=True, key_fps=12)
+voxtrace.Renderer(moving).show(moving.at(moving.animations[0][1] / 2, repeat=True))
 first: float = float(hits["t"][0])
 volume = voxtrace.Volume.from_array(numpy.zeros((3, 3, 3)), spacing=0.5)
 scene = volume.voxelize("ct-bone", threshold=300)

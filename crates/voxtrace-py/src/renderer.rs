@@ -243,6 +243,17 @@ impl PyRenderer {
         Ok(())
     }
 
+    /// Renders another scene from now on: a frame of an animation after the other, without a device opened anew. It no longer follows an editor.
+    ///
+    /// Raises `DeviceError` where the scene does not fit the device; make another renderer then.
+    fn show(&mut self, py: Python<'_>, scene: PyRef<'_, PyScene>) -> PyResult<()> {
+        let packed = scene.packed(py, self.is_placeable)?;
+        drop(scene);
+        (self.scene, self.is_stale) = (packed, true);
+        self.follower = Arc::new(Follower);
+        self.give_scene(py)
+    }
+
     /// Follows the edits of the `Editor` that this renderer was made of, since the last time.
     ///
     /// Raises `ValueError` where it was made of something else, or another one was made of the editor since; nothing has changed then. Raises `DeviceError` where

@@ -17,6 +17,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread;
 use std::time::Duration;
+use voxtrace::animation::{Animation, Playback, keyframe_count};
 use voxtrace::cuts::Cuts;
 use voxtrace::export::{ExportError, writer_of};
 use voxtrace::glam::{DAffine3, IVec3};
@@ -28,7 +29,7 @@ use voxtrace::{Brick, Instance, Material, PackedScene, Scene, Transform, VoxelGr
 const PERIOD: Duration = Duration::from_millis(5);
 
 /// Voxels in their places, with materials, sky and cameras. Threads may share it: while it is packed for one of them, others that need it packed or change it wait.
-/// It can be pickled and copied; animations of glTF files, which are neither shown nor written here, are in no pickle.
+/// It can be pickled and copied; animations of glTF files are in no pickle and no file: what `at` gives of them is.
 ///
 /// >>> import voxtrace
 /// >>> scene = voxtrace.builtin("city", voxels=20_000)
@@ -406,6 +407,44 @@ impl PyScene {
         let DAffine3 { matrix3, translation } = georeference?.coordinates_from_world;
         let row = |at: usize| [matrix3.x_axis[at], matrix3.y_axis[at], matrix3.z_axis[at], translation[at]];
         Some([row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]])
+    }
+
+    /// The animations of the file that it was read from: name, empty where it has none, and seconds that it lasts. `at` plays the one that `open` was asked for.
+    #[getter]
+    fn animations(&self) -> Vec<(String, f64)> {
+        match &self.content {
+            Held::Scene(scene) => scene.clips.iter().map(|clip| (clip.name.clone(), clip.seconds)).collect(),
+            Held::Packed(_) => Vec::new(),
+        }
+    }
+
+    /// Frames that the keyframes of a `.vox` file last; 0 where it has none.
+    #[getter]
+    fn keyframes(&self) -> u32 {
+        match &self.content {
+            Held::Scene(scene) => keyframe_count(scene),
+            Held::Packed(_) => 0,
+        }
+    }
+
+    /// The scene as it is at a time, in seconds, of its keyframes or of the animation that `open` was asked for: a scene of its own, which stands still. Cameras
+    /// are where it has them then, and grids keep their numbers.
+    ///
+    /// `key_fps`: keyframes a second. `repeat`: an animation begins again when it is over; else its last pose holds.
+    ///
+    /// Raises `ValueError` for a time or a rate below 0.
+    #[pyo3(signature = (seconds, *, key_fps=10.0, repeat=false))]
+    fn at(&self, py: Python<'_>, seconds: f64, key_fps: f64, repeat: bool) -> PyResult<Self> {
+        for (name, value) in [("seconds", seconds), ("key_fps", key_fps)] {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(argument(format!("{name} is ≥ 0")));
+            }
+        }
+        let Held::Scene(scene) = &self.content else { return Ok(self.__copy__()) };
+        let clip = if repeat { Playback::Repeated } else { Playback::Once };
+        let animation = Animation { keyframe_rate: key_fps, clip, ..Animation::default() };
+        let now = detach(py, || animation.still_at(scene, seconds))?;
+        Ok(Self { clip: self.clip, notes: self.notes.clone(), ..Self::of(now) })
     }
 
     /// Name for people.

@@ -115,6 +115,25 @@ impl Animation {
         }
     }
 
+    /// As [`Self::scene_at`], but a scene that stands still from then on: without keyframes and clips, and with the cameras that hang on nodes of the clip
+    /// where they are.
+    pub fn still_at(&self, scene: &Scene, seconds: f64) -> Scene {
+        let mut now = self.scene_at(scene, seconds);
+        if let Some((clip, motion)) = scene.clips.iter().find_map(|clip| Some((clip, clip.motion.as_ref()?))) {
+            for &own in &motion.cameras {
+                let (camera, clip) = (scene.cameras[own.index].clone(), clip.clone());
+                let on_node = CameraMotion::OnNode { camera, clip, playback: self.clip, own };
+                now.cameras[own.index] = CameraTrack::new(on_node).at(scene, seconds);
+            }
+        }
+        for instance in &mut now.instances {
+            instance.keyframes.clear();
+            instance.repeats = None;
+        }
+        now.clips.clear();
+        now
+    }
+
     /// The camera at a time; `now` is the scene as it is then. `None` where the animation has none.
     pub fn camera_at(&self, now: &Scene, seconds: f64) -> Option<Camera> {
         self.camera.as_ref().map(|track| track.at(now, seconds))
@@ -192,6 +211,16 @@ mod tests {
         let faster = Animation { keyframe_rate: 20.0, ..animation.clone() };
         assert_ne!(faster.scene_at(&scene, 0.5), animation.scene_at(&scene, 0.5), "the comparison sees another rate");
         assert_eq!(Animation::default().scene_at(&scene, 3.0), scene);
+    }
+
+    #[test]
+    fn what_stands_still_from_a_time_on_is_where_it_was_then() {
+        let (scene, animation) = (scene(), Animation { keyframe_rate: 10.0, ..Animation::default() });
+        let still = animation.still_at(&scene, 0.5);
+        let placed = |scene: &Scene| scene.instances[1].world_from_grid.translation.x;
+        assert_eq!((placed(&still), still.instances[1].keyframes.len(), keyframe_count(&still)), (20.0, 0, 0));
+        assert_eq!(animation.scene_at(&still, 1.0), still);
+        assert_ne!(animation.scene_at(&scene, 1.0), scene, "the comparison sees what moves");
     }
 
     #[test]
