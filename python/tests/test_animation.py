@@ -110,8 +110,8 @@ def middle(scene):
 
 
 def test_keyframes_of_a_vox_file_play(stepping):
-    scene = voxtrace.open(stepping)
-    assert (scene.keyframes, scene.animations) == (5, [])
+    scene = voxtrace.open(stepping, animation=True)
+    assert (scene.keyframes, scene.animations, scene.notes) == (5, [], [])
     first = middle(scene)
     assert [float((middle(scene.at(seconds)) - first)[0]) for seconds in (0, 0.2, 0.4, 9)] == [0, 10, 20, 20]
     assert (middle(scene.at(0.2, key_fps=20)) - first).tolist() == [20, 0, 0]
@@ -178,7 +178,7 @@ def test_what_cannot_be_played_is_told(moving, stepping, tmp_path):
     with pytest.raises(ValueError, match='"3"'):
         voxtrace.open(moving, animation=3)
     with pytest.raises(ValueError, match="no animation"):
-        voxtrace.open(stepping, animation=True)
+        voxtrace.open(stepping, animation="go")
     with pytest.raises(ValueError, match="a name, a number"):
         voxtrace.open(moving, animation=[1])
     with pytest.raises(ValueError, match="key_fps"):

@@ -90,6 +90,11 @@ impl ImportArgs {
         self.shape_rate = Some(shape_rate);
     }
 
+    /// Has a still read of what can be played later.
+    pub fn play_later(&mut self) {
+        self.animation = ClipChoice::Later;
+    }
+
     /// Keeps what is within volumes and heightmaps, unless an option says otherwise: cuts show it.
     pub fn keep_inside(&mut self) {
         self.volume.keeps_inside = true;

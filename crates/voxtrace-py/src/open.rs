@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use voxtrace::animation::playing;
+use voxtrace::animation::{keyframe_count, playing};
 use voxtrace::import::{self, ClipChoice, Content, ImportError, ImportOptions};
 use voxtrace::scenes::{self, SceneError};
 use voxtrace::volume::VolumeOptions;
@@ -111,6 +111,8 @@ pub fn open(
 fn check_animation(chosen: &ClipChoice, content: &Content) -> PyResult<()> {
     let clips = match content {
         Content::Scene(scene) if playing(scene).is_some() => return Ok(()),
+        // What has keyframes plays them.
+        Content::Scene(scene) if *chosen == ClipChoice::First && keyframe_count(scene) > 0 => return Ok(()),
         Content::Scene(scene) => &scene.clips[..],
         Content::Packed(_) => &[],
     };

@@ -239,6 +239,9 @@ mod tests {
                 std::thread::sleep(std::time::Duration::from_millis(1));
             }
             assert!(!still.has_motion() && still.open.as_ref().unwrap().alone.instances().len() == 1);
+            let said: Vec<String> = still.messages().map(|message| message.text.clone()).collect();
+            assert!(said.iter().any(|said| said.contains("F8 and Space play it")), "{said:?}");
+            assert!(!said.iter().any(|said| said.contains("not shown")), "what plays is shown: {said:?}");
             still.toggle_timeline();
             assert!(still.take_commands().contains(&Command::LoadAgain));
 

@@ -299,8 +299,9 @@ impl Loader for Files {
             true => Some(director_of(reading.animation.as_deref()).map_err(|failure| failure.line())?),
             false => None,
         };
-        if let Some(director) = &director {
-            scene.import.play(director.clip(), director.shape_rate());
+        match &director {
+            Some(director) => scene.import.play(director.clip(), director.shape_rate()),
+            None => scene.import.play_later(),
         }
         if let Some(points) = &reading.points {
             scene.import.mesh.choose_points(points)?;

@@ -261,6 +261,8 @@ fn a_mesh_goes_with_what_carries_all_of_its_joints_and_one_that_bends_has_shapes
     }
     // A still shows the skin.
     assert_eq!(file.read(ClipChoice::None).notes, ["not shown: 1 animation"]);
+    let later = file.read(ClipChoice::Later);
+    assert_eq!((later.notes.len(), later.positions), (0, file.read(ClipChoice::None).positions));
 }
 
 #[test]

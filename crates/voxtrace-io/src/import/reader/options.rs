@@ -56,6 +56,8 @@ pub enum ClipChoice {
     /// None: their names and lengths alone.
     #[default]
     None,
+    /// As [`Self::None`], by somebody who can read it again to play it: of what plays nothing is told as not shown, but for further animations.
+    Later,
     /// The first, where there is one.
     First,
     /// The one of this name, or with this number from 1 on, where there is one.

@@ -12,7 +12,7 @@ use voxtrace_scene::animation::{Channel, Clip, KeyKind, KeyTrack};
 pub(super) fn chosen(document: &Document, choice: &ClipChoice) -> Option<usize> {
     let count = document.animations.len();
     match choice {
-        ClipChoice::None => None,
+        ClipChoice::None | ClipChoice::Later => None,
         ClipChoice::First => (count > 0).then_some(0),
         ClipChoice::Named(name) => {
             let by_name = document.animations.iter().position(|animation| animation.name == *name);

@@ -16,10 +16,10 @@ const OF_MATERIALS: [&str; 7] = [
     "KHR_materials_pbrSpecularGlossiness",
 ];
 
-/// The parts of a document that are not shown; one of its animations may be.
+/// The parts of a document that are not shown; one of its animations may be, at once or later.
 pub(super) fn parts(document: &Document, is_played: bool) -> NotShown {
     let mut parts = NotShown::default();
-    parts.count("animation", document.animations.len() as u64 - u64::from(is_played));
+    parts.count("animation", (document.animations.len() as u64).saturating_sub(u64::from(is_played)));
     let mut is_unbound = vec![false; document.skins.len()];
     for node in &document.nodes {
         let (Some(skin), Some(mesh)) = (node.skin, node.mesh.and_then(|mesh| document.meshes.get(mesh))) else {

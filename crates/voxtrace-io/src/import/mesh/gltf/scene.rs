@@ -9,7 +9,7 @@ use super::skins::{Skins, is_bound};
 use super::{Fault, animations, cameras, materials, morphs, not_shown};
 use crate::import::mesh::lines::Lines;
 use crate::import::reader::local_origin::LocalOrigin;
-use crate::import::reader::{Geometry, ImportOptions};
+use crate::import::reader::{ClipChoice, Geometry, ImportOptions};
 use crate::import::source::folder::Folder;
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Vec4};
 use voxtrace_scene::animation::NodePose;
@@ -35,7 +35,8 @@ pub(super) fn read(
     let played = if IS_OF_PAGES { None } else { animations::chosen(document, &options.animation) };
     let mut movers = played.map(|clip| Movers::of(clip, &accessors)).transpose()?.unwrap_or_default();
     let skins = Skins::of(document, limits, &movers);
-    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, played.is_some())?;
+    let is_played = played.is_some() || options.animation == ClipChoice::Later;
+    let Looks { mut mesh, coordinate_sets } = look(document, buffers, folder, limits, is_played)?;
     let mut target =
         Target { mesh: &mut mesh, local_origin: LocalOrigin::default(), coordinate_sets: &coordinate_sets };
     let (mut skipped, mut parts) = (0, Parts::default());
