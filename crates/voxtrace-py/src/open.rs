@@ -118,7 +118,7 @@ fn check_animation(chosen: &ClipChoice, content: &Content) -> PyResult<()> {
     };
     let there_are = || clips.iter().map(|clip| format!("{:?}", clip.name)).collect::<Vec<_>>().join(", ");
     match chosen {
-        ClipChoice::None => Ok(()),
+        ClipChoice::None | ClipChoice::Later => Ok(()),
         _ if clips.is_empty() => Err(argument("the file has no animation")),
         ClipChoice::First => Err(argument("nothing moves in the first animation")),
         ClipChoice::Named(name) => {
