@@ -3,6 +3,8 @@
 //! of BVHs, Octrees, and k-d Trees", HPG 2012), so that edits change little of it; above, planes between cubes are those of the least cost: power times
 //! the square of how far it is spread, which is what a choice among far nodes gets wrong. A node's powers along the six axes stand in for the cone of normals of Conty Estevez
 //! and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting" (HPG 2018), whose trees have such a cost, too.
+//!
+//! What is called in several places is kept out of line: the module for pages, which is optimized for speed here, has few bytes to spare.
 
 use super::sah_tree::{Boxes, Shape};
 use super::{Emitter, Geometry, LEAF_EMITTERS, LightNode, MAX_INSTANCE_DEPTH, PackedGrid, PackedMaterial};

@@ -1,6 +1,8 @@
 //! Binary trees over boxes whose splits have the least cost, over bins (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", RT
 //! 2007): the shape of the hierarchy over instances, where the cost is the expected work of a ray, and of the trees of lights. The same on any number of
 //! threads.
+//!
+//! What is called in several places is kept out of line: the module for pages, which is optimized for speed here, has few bytes to spare.
 
 use glam::Vec3;
 
