@@ -60,6 +60,7 @@ def calls_of(folder: Path) -> dict[str, Callable[[], object]]:
         "builtin": lambda: voxtrace.builtin("city", voxels=20_000),
         "open": lambda: voxtrace.open(file),
         "open_volume": lambda: voxtrace.open_volume(folder / "none.nii"),
+        "save_clip": lambda: voxtrace.save_clip(folder / "a.gif", [image]),
         "render": lambda: voxtrace.render(packed, camera, device="cpu", progress=False, **options),
         "Camera": lambda: voxtrace.Camera((1, 2, 3), (0, 0, 0)),
         "Camera.ray": lambda: camera.ray((1, 2), (16, 9)),

@@ -28,6 +28,7 @@ from ._voxtrace import (
     builtin,
     open,
     open_volume,
+    save_clip,
 )
 
 _add_from_array(Volume)
@@ -53,5 +54,6 @@ __all__ = [
     "open",
     "open_volume",
     "render",
+    "save_clip",
     "view",
 ]

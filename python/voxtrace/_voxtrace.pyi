@@ -32,6 +32,7 @@ __all__ = [
     "join_surveys",
     "open",
     "open_volume",
+    "save_clip",
 ]
 
 __version__: str
@@ -514,3 +515,12 @@ def open_volume(
     strict: bool = False,
 ) -> Volume: ...
 def builtin(name: str, *, voxels: int | None = None, instances: int | None = None) -> Scene: ...
+def save_clip(
+    path: _Path,
+    frames: Iterable[object],
+    *,
+    fps: float = 24.0,
+    quality: int = 80,
+    encoder: Literal["ffmpeg", "builtin"] | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> None: ...

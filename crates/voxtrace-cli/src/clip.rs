@@ -12,10 +12,10 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 use std::time::UNIX_EPOCH;
 use voxtrace::import::opened;
-use voxtrace::output::clip::{ClipFormat, ClipOptions, has_alpha, over_black, read_png};
+use voxtrace::output::clip::ffmpeg::{self, FfmpegError};
+use voxtrace::output::clip::{ClipFormat, ClipOptions, Frames, has_alpha, read_png};
 use voxtrace::output::write_atomically;
 use voxtrace_bench::quantity::counted;
 
@@ -95,20 +95,12 @@ impl ClipArgs {
     }
 
     fn encoder(&self) -> Result<EncoderArg, Failure> {
-        let has_ffmpeg = || {
-            Command::new("ffmpeg")
-                .arg("-version")
-                .stdout(Stdio::null())
-                .stderr(Stdio::null())
-                .status()
-                .is_ok_and(|status| status.success())
-        };
         match self.encoder {
-            Some(EncoderArg::Ffmpeg) if !has_ffmpeg() => {
+            Some(EncoderArg::Ffmpeg) if !ffmpeg::is_installed() => {
                 Err(Failure::usage("there is no ffmpeg on the path").hint("--encoder builtin needs none"))
             }
             Some(encoder) => Ok(encoder),
-            None if has_ffmpeg() => Ok(EncoderArg::Ffmpeg),
+            None if ffmpeg::is_installed() => Ok(EncoderArg::Ffmpeg),
             None if cfg!(feature = "mp4") => Ok(EncoderArg::Builtin),
             None => Err(Failure::usage(
                 "this program was built without its encoder of MP4, and there is no ffmpeg on the path",
@@ -304,68 +296,15 @@ fn state_of(path: &str) -> String {
 }
 
 /// H.264 by ffmpeg, into a file beside the clip that becomes the clip when it is whole.
-fn by_ffmpeg(
-    clip: &Path,
-    options: &ClipOptions,
-    frames: &mut dyn FnMut(u32) -> io::Result<Vec<[u8; 4]>>,
-) -> Result<(), Failure> {
+fn by_ffmpeg(clip: &Path, options: &ClipOptions, frames: Frames) -> Result<(), Failure> {
     outputs::refuse_inputs(clip)?;
     let failed = |error: io::Error| Failure::output(clip, &error);
     let folder = clip.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let part = tempfile::Builder::new().prefix(".").suffix(".part").tempfile_in(folder).map_err(failed)?;
-    encode_by_ffmpeg(clip, part.path(), options, frames)?;
+    ffmpeg::encode(part.path(), options, frames).map_err(|error| match error {
+        FfmpegError::Io(error) => failed(error),
+        FfmpegError::Failed(said) => Failure::other(format!("ffmpeg made no {}: {said}", clip.display()))
+            .hint("--encoder builtin needs no ffmpeg"),
+    })?;
     outputs::write(clip, |out| io::copy(&mut File::open(part.path())?, out).map(drop))
-}
-
-fn encode_by_ffmpeg(
-    clip: &Path,
-    part: &Path,
-    options: &ClipOptions,
-    frames: &mut dyn FnMut(u32) -> io::Result<Vec<[u8; 4]>>,
-) -> Result<(), Failure> {
-    let failed = |error: io::Error| Failure::output(clip, &error);
-    let ClipOptions { width, height, fps, quality, .. } = *options;
-    let crf = (f64::from(100 - quality.min(100)) * 0.8).round().min(51.0);
-    let mut child = Command::new("ffmpeg")
-        .args(["-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"])
-        .args(["-s", &format!("{width}x{height}"), "-r", &fps.to_string(), "-i", "-"])
-        // Sizes are made even first: what follows rounds those of the colours. Newer versions take what the colours are from the frames.
-        .args([
-            "-vf",
-            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,\
-             setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709",
-        ])
-        .args(["-c:v", "libx264", "-crf", &crf.to_string(), "-pix_fmt", "yuv420p", "-movflags", "+faststart"])
-        .args(["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-f", "mp4"])
-        .arg(part)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .map_err(failed)?;
-    let mut input = child.stdin.take();
-    let mut send = || -> io::Result<()> {
-        let Some(input) = &mut input else { return Ok(()) };
-        for frame in 0..options.frames {
-            let bytes: Vec<u8> = frames(frame)?.into_iter().flat_map(over_black).collect();
-            input.write_all(&bytes)?;
-        }
-        Ok(())
-    };
-    let sent = send();
-    drop(input);
-    let output = child.wait_with_output().map_err(failed)?;
-    // Where it went away, it says why; else it is a frame that could not be read.
-    if let Err(error) = sent.as_ref()
-        && error.kind() != io::ErrorKind::BrokenPipe
-    {
-        return Err(Failure::output(clip, error));
-    }
-    if sent.is_err() || !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr);
-        let line = said.lines().last().unwrap_or("it ended early").trim().to_owned();
-        return Err(Failure::other(format!("ffmpeg made no {}: {line}", clip.display()))
-            .hint("--encoder builtin needs no ffmpeg"));
-    }
-    Ok(())
 }

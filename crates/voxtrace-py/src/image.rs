@@ -41,7 +41,8 @@ impl PyImage {
         self.picture.film()
     }
 
-    fn size(&self) -> (usize, usize) {
+    /// Height and width, pixels.
+    pub fn size(&self) -> (usize, usize) {
         let region = self.film().region;
         (region.height() as usize, region.width() as usize)
     }
@@ -52,6 +53,18 @@ impl PyImage {
             Some(denoised) => denoised.radiance.clone(),
             None => self.film().pixels.iter().map(Pixel::mean).collect(),
         }
+    }
+
+    /// What a screen shows of each pixel: red, green, blue and straight alpha, sRGB; and whether any of it may be transparent.
+    pub fn shown(&self) -> (Vec<u8>, bool) {
+        let tone = ToneBytes::new(ToneMap::default());
+        let is_transparent = self.picture.film_file().frame.transparent;
+        let pixel = |(radiance, pixel): (Vec3, &Pixel)| {
+            let alpha = if is_transparent { pixel.alpha() } else { 1.0 };
+            let [red, green, blue] = tone.of(if alpha > 0.0 { radiance / alpha } else { Vec3::ZERO });
+            [red, green, blue, (alpha * 255.0).round() as u8]
+        };
+        (self.means().into_iter().zip(&self.film().pixels).flat_map(pixel).collect(), is_transparent)
     }
 
     /// An array of so many numbers a pixel.

@@ -3,6 +3,7 @@
 
 mod arguments;
 mod camera;
+mod clip;
 mod editor;
 mod errors;
 mod forks;
@@ -30,6 +31,8 @@ mod _voxtrace {
 
     #[pymodule_export]
     use super::camera::PyCamera;
+    #[pymodule_export]
+    use super::clip::save_clip;
     #[pymodule_export]
     use super::editor::PyEditor;
     #[pymodule_export]

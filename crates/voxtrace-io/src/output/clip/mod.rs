@@ -1,7 +1,8 @@
 //! Clips: the frames of an animation as one file that plays. GIF and APNG need nothing else; MP4 holds AV1, encoded by rav1e, with the
-//! feature `mp4`. Frames come as 8-bit sRGB, one at a time, so that a clip is never in memory as a whole.
+//! feature `mp4`, or H.264 by [`ffmpeg`]. Frames come as 8-bit sRGB, one at a time, so that a clip is never in memory as a whole.
 
 mod apng;
+pub mod ffmpeg;
 mod gif;
 #[cfg(feature = "mp4")]
 mod mp4;
