@@ -3753,6 +3753,7 @@ struct Walker_0
      is_at_cell_0 : bool,
      counts_0 : bool,
      sees_mover_0 : bool,
+     by_chance_1 : bool,
 };
 
 struct Sample_0
@@ -3800,7 +3801,7 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_11.base_color_0);
 }
 
-fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
+fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  is_lit_2 : bool,  sample_9 : ptr<function, Sample_0>)
 {
     var _S239 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
@@ -3810,81 +3811,137 @@ fn show_0( path_8 : Path_0,  ray_12 : Ray_0,  hit_8 : Hit_0,  beyond_4 : u32,  s
     }
     var material_12 : PackedMaterial_0 = material_met_0(_S239, hit_8, beyond_4);
     (*sample_9).normal_4 = in_ten_bits_0(shading_normal_0(ray_12, hit_8, material_12));
-    (*sample_9).albedo_0 = _S239.beta_0 * albedo_of_0(material_12);
+    var _S240 : vec3<f32> = _S239.beta_0;
+    var _S241 : vec3<f32>;
+    if(!is_lit_2)
+    {
+        _S241 = albedo_of_0(material_12);
+    }
+    else
+    {
+        _S241 = vec3<f32>(1.0f);
+    }
+    (*sample_9).albedo_0 = _S240 * _S241;
     return;
 }
 
 fn Walker_see_0( this_26 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_9 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
-    (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S240 : bool;
+    var is_lit_3 : bool;
+    if((*this_26).by_chance_1)
+    {
+        is_lit_3 = (max_element_0(emitted_1)) > 0.0f;
+    }
+    else
+    {
+        is_lit_3 = false;
+    }
+    if(is_lit_3)
+    {
+        (*sample_10).light_6 = (*sample_10).light_6 + emitted_1;
+    }
+    else
+    {
+        (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
+    }
+    var _S242 : bool;
     if((*this_26).sees_mover_0)
     {
-        _S240 = true;
+        _S242 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_9))
         {
-            _S240 = is_mover_0(hit_9.instance_1);
+            _S242 = is_mover_0(hit_9.instance_1);
         }
         else
         {
-            _S240 = false;
+            _S242 = false;
         }
     }
-    (*this_26).sees_mover_0 = _S240;
-    var _S241 : bool = ((*this_26).path_7.bounce_0) == u32(0);
+    (*this_26).sees_mover_0 = _S242;
+    var _S243 : bool = ((*this_26).path_7.bounce_0) == u32(0);
     if(goes_on_0)
     {
-        _S240 = _S241;
+        _S242 = _S243;
     }
     else
     {
-        _S240 = false;
+        _S242 = false;
     }
-    var _S242 : bool = !_S240;
-    (*this_26).has_shown_0 = _S242;
-    if(!_S242)
+    var _S244 : bool = !_S242;
+    (*this_26).has_shown_0 = _S244;
+    if(!_S244)
     {
+        if((*this_26).by_chance_1)
+        {
+            is_lit_3 = true;
+        }
+        else
+        {
+            if((any((((*this_26).path_7.normal_0) != vec3<f32>(0.0f)))))
+            {
+                if(Inside_is_in_0(arrived_0.inside_0))
+                {
+                    is_lit_3 = true;
+                }
+                else
+                {
+                    is_lit_3 = (material_met_0(arrived_0, hit_9, beyond_5).metallic_0) < 1.0f;
+                }
+            }
+            else
+            {
+                is_lit_3 = false;
+            }
+        }
+        (*this_26).by_chance_1 = is_lit_3;
         (*this_26).way_2 = (*this_26).way_2 + hit_9.t_0;
     }
     else
     {
-        var _S243 : u32;
+        var _S245 : u32;
         if(!Hit_is_miss_0(hit_9))
         {
-            show_0(arrived_0, (*this_26).ray_10, hit_9, beyond_5, &((*sample_10)));
+            show_0(arrived_0, (*this_26).ray_10, hit_9, beyond_5, is_lit_3, &((*sample_10)));
             (*sample_10).place_3 = (*this_26).camera_ray_0.origin_1 + (*this_26).camera_ray_0.direction_1 * vec3<f32>(((*this_26).way_2 + hit_9.t_0));
             if(((*this_26).way_2) > 0.0f)
             {
                 if((*this_26).sees_mover_0)
                 {
-                    _S243 = u32(4294967295);
+                    _S245 = u32(4294967295);
                 }
                 else
                 {
-                    _S243 = u32(4294967294);
+                    _S245 = u32(4294967294);
                 }
             }
             else
             {
-                _S243 = hit_9.instance_1;
+                _S245 = hit_9.instance_1;
             }
-            (*sample_10).instance_8 = _S243;
+            (*sample_10).instance_8 = _S245;
         }
         else
         {
             (*sample_10).albedo_0 = vec3<f32>(0.0f);
             if((*this_26).sees_mover_0)
             {
-                _S243 = u32(4294967295);
+                _S245 = u32(4294967295);
             }
             else
             {
-                _S243 = u32(4294967294);
+                _S245 = u32(4294967294);
             }
-            (*sample_10).instance_8 = _S243;
+            (*sample_10).instance_8 = _S245;
+            if(is_lit_3)
+            {
+                (*sample_10).is_shown_0 = true;
+                (*sample_10).albedo_0 = arrived_0.beta_0;
+                (*sample_10).normal_4 = in_ten_bits_0(normalize_vector_0((vec3<f32>(0) - (*this_26).camera_ray_0.direction_1)));
+                (*sample_10).place_3 = (*this_26).camera_ray_0.origin_1 + (*this_26).camera_ray_0.direction_1 * vec3<f32>((*this_26).way_2);
+            }
         }
     }
     return;
@@ -3896,9 +3953,9 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     ends_here_0 = false;
     var arrived_1 : Path_0 = (*at_7).path_7;
     var emitted_2 : vec3<f32> = cached_0;
-    var _S244 : Path_0 = (*at_7).path_7;
-    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S244), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
-    (*at_7).path_7 = _S244;
+    var _S246 : Path_0 = (*at_7).path_7;
+    var next_2 : NextRays_0 = PathTracingOf_advance_1(&(_S246), (*at_7).ray_10, hit_10, beyond_6, &(emitted_2));
+    (*at_7).path_7 = _S246;
     var goes_on_1 : bool = (any(((next_2.direction_0) != cached_0)));
     if((*at_7).has_shown_0)
     {
@@ -3921,16 +3978,16 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_10 : Hit_0,  beyond_6 : 
     {
         (*at_7).ray_10 = Ray_x24init_0(next_2.origin_0, 0.0f, next_2.shadow_direction_0, next_2.shadow_t_max_0);
     }
-    var _S245 : bool;
+    var _S247 : bool;
     if(goes_on_1)
     {
-        _S245 = true;
+        _S247 = true;
     }
     else
     {
-        _S245 = (*at_7).is_shadow_ray_0;
+        _S247 = (*at_7).is_shadow_ray_0;
     }
-    return _S245;
+    return _S247;
 }
 
 struct Key_0
@@ -3942,11 +3999,11 @@ struct Key_0
 
 fn Key_x24init_0( instance_11 : u32,  face_and_level_1 : u32,  cube_1 : vec3<i32>) -> Key_0
 {
-    var _S246 : Key_0;
-    _S246.instance_10 = instance_11;
-    _S246.face_and_level_0 = face_and_level_1;
-    _S246.cube_0 = cube_1;
-    return _S246;
+    var _S248 : Key_0;
+    _S248.instance_10 = instance_11;
+    _S248.face_and_level_0 = face_and_level_1;
+    _S248.cube_0 = cube_1;
+    return _S248;
 }
 
 fn scramble_of_0( number_1 : u32) -> u32
@@ -3968,20 +4025,20 @@ fn key_of_0( hit_11 : Hit_0,  size_1 : f32,  u_17 : f32,  code_0 : ptr<function,
 {
     var clamped_0 : f32 = clamp(size_1, 1.0f, 128.0f);
     var power_5 : f32 = f32(((bitcast<u32>((clamped_0))) >> (u32(23)))) - 127.0f;
-    var _S247 : f32;
+    var _S249 : f32;
     if(u_17 < (clamped_0 * inverse_power_of_two_0(clamped_0) - 1.0f))
     {
-        _S247 = 1.0f;
+        _S249 = 1.0f;
     }
     else
     {
-        _S247 = 0.0f;
+        _S249 = 0.0f;
     }
-    var level_0 : u32 = u32(min(power_5 + _S247, 6.0f));
-    var _S248 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
-    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S248)));
-    var _S249 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S248))));
-    (*code_0) = u32(1) + (((((((_S249.x) | ((((_S249.y) << (level_0)))))) | ((((_S249.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
+    var level_0 : u32 = u32(min(power_5 + _S249, 6.0f));
+    var _S250 : vec3<u32> = vec3<u32>(u32(i32(level_0)));
+    var key_0 : Key_0 = Key_x24init_0(hit_11.instance_1, ((hit_11.face_0) | (((level_0 << (u32(3)))))), ((hit_11.voxel_1) >> (_S250)));
+    var _S251 : vec3<u32> = vec3<u32>(hit_11.voxel_1 - (((key_0.cube_0) << (_S250))));
+    (*code_0) = u32(1) + (((((((_S251.x) | ((((_S251.y) << (level_0)))))) | ((((_S251.z) << ((u32(2) * level_0))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_0))))))));
     return key_0;
 }
 
@@ -4008,8 +4065,8 @@ fn find_cell_0( hash_0 : vec2<u32>) -> u32
             break;
         }
         var cell_4 : u32 = ((hash_0.x + probe_0) & (u32(262143)));
-        var _S250 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
-        if(_S250 == (max(hash_0.y, u32(1))))
+        var _S252 : u32 = atomicLoad(&(cell_keys_0[place_of_check_0(cell_4)]));
+        if(_S252 == (max(hash_0.y, u32(1))))
         {
             return cell_4;
         }
@@ -4036,11 +4093,11 @@ fn place_of_asked_0( cell_7 : u32) -> u32
 
 fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 {
-    var _S251 : bool;
+    var _S253 : bool;
     var hash_1 : vec2<u32> = Key_hash_0(key_1);
-    var _S252 : u32 = max(hash_1.y, u32(1));
+    var _S254 : u32 = max(hash_1.y, u32(1));
     var cell_8 : u32 = find_cell_0(hash_1);
-    var _S253 : vec4<f32> = vec4<f32>(0.0f);
+    var _S255 : vec4<f32> = vec4<f32>(0.0f);
     var known_0 : vec4<f32>;
     if(cell_8 != u32(262144))
     {
@@ -4048,7 +4105,7 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     else
     {
-        known_0 = _S253;
+        known_0 = _S255;
     }
     var cell_9 : u32 = cell_8;
     var probe_1 : u32 = u32(0);
@@ -4056,13 +4113,13 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     {
         if(probe_1 < u32(8))
         {
-            _S251 = cell_9 == u32(262144);
+            _S253 = cell_9 == u32(262144);
         }
         else
         {
-            _S251 = false;
+            _S253 = false;
         }
-        if(_S251)
+        if(_S253)
         {
         }
         else
@@ -4070,23 +4127,23 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
             break;
         }
         var place_4 : u32 = ((hash_1.x + probe_1) & (u32(262143)));
-        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S252).old_value;
-        var _S254 : bool = found_0 == u32(0);
-        if(_S254)
+        var found_0 : u32 = atomicCompareExchangeWeak(&(cell_keys_0[place_of_check_0(place_4)]), u32(0), _S254).old_value;
+        var _S256 : bool = found_0 == u32(0);
+        if(_S256)
         {
             set_cell_row_0(u32(1), place_4, vec4<u32>(key_1.instance_10, key_1.face_and_level_0, u32(0), u32(0)));
             set_cell_row_0(u32(2), place_4, vec4<u32>(vec3<u32>(key_1.cube_0), u32(0)));
         }
-        var _S255 : bool;
-        if(_S254)
+        var _S257 : bool;
+        if(_S256)
         {
-            _S255 = true;
+            _S257 = true;
         }
         else
         {
-            _S255 = found_0 == _S252;
+            _S257 = found_0 == _S254;
         }
-        if(_S255)
+        if(_S257)
         {
             cell_9 = place_4;
         }
@@ -4094,16 +4151,16 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
     }
     if(cell_9 != u32(262144))
     {
-        var _S256 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
-        _S251 = _S256 < asked_0;
+        var _S258 : u32 = atomicLoad(&(cell_keys_0[place_of_asked_0(cell_9)]));
+        _S253 = _S258 < asked_0;
     }
     else
     {
-        _S251 = false;
+        _S253 = false;
     }
-    if(_S251)
+    if(_S253)
     {
-        var _S257 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
+        var _S259 : u32 = atomicMax(&(cell_keys_0[place_of_asked_0(cell_9)]), asked_0);
     }
     return known_0;
 }
@@ -4111,52 +4168,52 @@ fn ask_cell_0( key_1 : Key_0,  asked_0 : u32) -> vec4<f32>
 fn asks_0( path_9 : Path_0,  ray_13 : Ray_0,  hit_12 : Hit_0,  beyond_7 : u32,  life_1 : u32,  light_7 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_7) = vec3<f32>(0.0f);
-    var _S258 : bool;
+    var _S260 : bool;
     if(Hit_is_miss_0(hit_12))
     {
-        _S258 = true;
+        _S260 = true;
     }
     else
     {
-        _S258 = Inside_is_in_0(path_9.inside_0);
+        _S260 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S258)
+    if(_S260)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_12, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S258 = true;
+        _S260 = true;
     }
     else
     {
-        _S258 = (material_13.transmission_0) > 0.0f;
+        _S260 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S258)
+    if(_S260)
     {
         return false;
     }
     var code_1 : u32;
     var key_2 : Key_0 = key_of_0(hit_12, square_root_0(length_squared_0(ray_13.origin_1 + ray_13.direction_1 * vec3<f32>(hit_12.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_1));
-    var _S259 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
+    var _S261 : f32 = f32((u32(1) << ((Key_level_0(key_2)))));
     var is_from_first_0 : bool = (path_9.bounce_0) < u32(2);
     if(life_1 == u32(0))
     {
-        _S258 = true;
+        _S260 = true;
     }
     else
     {
         if(is_from_first_0)
         {
-            _S258 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < _S259;
+            _S260 = (hit_12.t_0 * square_root_0(length_squared_0(ray_13.direction_1))) < _S261;
         }
         else
         {
-            _S258 = false;
+            _S260 = false;
         }
     }
-    if(_S258)
+    if(_S260)
     {
         return false;
     }
@@ -4184,10 +4241,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S260 : BsdfEval_0;
-    _S260.weight_5 = weight_6;
-    _S260.pdf_10 = pdf_11;
-    return _S260;
+    var _S262 : BsdfEval_0;
+    _S262.weight_5 = weight_6;
+    _S262.pdf_10 = pdf_11;
+    return _S262;
 }
 
 fn Diffuse_eval_0( this_31 : Diffuse_0,  wo_8 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -4204,9 +4261,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S261 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S261;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S261) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S263 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S263;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S263) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_14 : Ray_0) -> u32
@@ -4215,17 +4272,17 @@ fn place_of_ray_0( ray_14 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_14.origin_1, length_squared_0(ray_14.origin_1 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S262 : vec3<i32> = vec3<i32>(floor(ray_14.direction_1 * vec3<f32>(4.0f)));
+    var _S264 : vec3<i32> = vec3<i32>(floor(ray_14.direction_1 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_0 : vec3<i32>;
     if((ray_14.t_max_0) <= 1.0f)
     {
-        var _S263 : vec3<i32> = cube_of_0(ray_14.origin_1 + ray_14.direction_1, length_squared_0(ray_14.direction_1), i32(1), &(power_7));
-        end_0 = _S263;
+        var _S265 : vec3<i32> = cube_of_0(ray_14.origin_1 + ray_14.direction_1, length_squared_0(ray_14.direction_1), i32(1), &(power_7));
+        end_0 = _S265;
     }
     else
     {
-        end_0 = _S262;
+        end_0 = _S264;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_0), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -4266,18 +4323,18 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_0) + u32(2) * candidate_0;
         var u_18 : vec4<f32>;
-        var _S264 : vec4<f32>;
+        var _S266 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S264 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
+            _S266 = Sampler_stratified_0(scatter_0.path_0.sampler_0, Path_dimension_light_0(scatter_0.path_0));
         }
         else
         {
-            _S264 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
+            _S266 = Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3);
         }
-        u_18 = _S264;
-        var _S265 : bool = count_5 > u32(1);
-        if(_S265)
+        u_18 = _S266;
+        var _S267 : bool = count_5 > u32(1);
+        if(_S267)
         {
             u_18[i32(0)] = min((f32(candidate_0) + u_18.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
@@ -4288,7 +4345,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S266 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
+        var _S268 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_8.ray_4.direction_1).xy, light_8.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -4296,41 +4353,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S266;
+            wi_5 = _S268;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S267 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S267);
-        var _S268 : bool;
+        var _S269 : vec3<f32> = scatter_0.path_0.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_8.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_8.pdf_2) * power_heuristic_0(light_8.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S269);
+        var _S270 : bool;
         if(weighs_candidates_0)
         {
-            _S268 = _S265;
+            _S270 = _S267;
         }
         else
         {
-            _S268 = false;
+            _S270 = false;
         }
         var weight_8 : f32;
-        if(_S268)
+        if(_S270)
         {
-            var _S269 : f32 = visibility_0(light_8.ray_4);
-            weight_8 = weight_7 * _S269;
+            var _S271 : f32 = visibility_0(light_8.ray_4);
+            weight_8 = weight_7 * _S271;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_2 : f32 = sum_1 + weight_8;
-        var _S270 : bool;
-        if(_S265)
+        var _S272 : bool;
+        if(_S267)
         {
-            _S270 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_8;
+            _S272 = (Sampler_independent_0(scatter_0.path_0.sampler_0, dimension_3 + u32(1)).x * sum_2) >= weight_8;
         }
         else
         {
-            _S270 = false;
+            _S272 = false;
         }
-        if(_S270)
+        if(_S272)
         {
             sum_1 = sum_2;
             candidate_0 = candidate_0 + u32(1);
@@ -4341,7 +4398,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         {
             (*next_3).shadow_direction_0 = light_8.ray_4.direction_1;
             (*next_3).shadow_t_max_0 = light_8.ray_4.t_max_0;
-            (*next_3).light_0 = _S267;
+            (*next_3).light_0 = _S269;
             chosen_5 = weight_8;
         }
         else
@@ -4352,9 +4409,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_3 : ptr<function, NextRays_0>)
         sum_1 = sum_2;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S271 : bool = chosen_4 > 0.0f;
-    (*next_3).has_shadow_ray_0 = _S271;
-    if(_S271)
+    var _S273 : bool = chosen_4 > 0.0f;
+    (*next_3).has_shadow_ray_0 = _S273;
+    if(_S273)
     {
         (*next_3).light_0 = (*next_3).light_0 * vec3<f32>(divide_0(sum_1, chosen_4 * f32(count_5)));
     }
@@ -4366,7 +4423,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : u32,  sample_12 : ptr<function, Sample_0>) -> bool
 {
     var next_4 : NextRays_0 = no_rays_0();
-    var _S272 : bool = (*at_8).is_at_cell_0;
+    var _S274 : bool = (*at_8).is_at_cell_0;
     var goes_on_2 : bool;
     if((*at_8).is_at_cell_0)
     {
@@ -4377,8 +4434,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     }
     else
     {
-        var _S273 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S273;
+        var _S275 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S275;
         if((*at_8).has_shown_0)
         {
             goes_on_2 = (*at_8).asks_cache_0;
@@ -4389,8 +4446,8 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         if(goes_on_2)
         {
-            var _S274 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
-            goes_on_2 = _S274;
+            var _S276 : bool = asks_0((*at_8).path_7, (*at_8).ray_10, hit_13, beyond_8, (*at_8).life_0, &(cached_1));
+            goes_on_2 = _S276;
         }
         else
         {
@@ -4398,12 +4455,12 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
         }
         ends_here_0 = goes_on_2;
         var arrived_2 : Path_0 = (*at_8).path_7;
-        var emitted_3 : vec3<f32> = _S273;
-        var _S275 : Path_0 = (*at_8).path_7;
-        var _S276 : NextRays_0 = PathTracingOf_advance_0(&(_S275), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
-        (*at_8).path_7 = _S275;
-        next_4 = _S276;
-        var goes_on_3 : bool = (any(((next_4.direction_0) != _S273)));
+        var emitted_3 : vec3<f32> = _S275;
+        var _S277 : Path_0 = (*at_8).path_7;
+        var _S278 : NextRays_0 = PathTracingOf_advance_0(&(_S277), (*at_8).ray_10, hit_13, beyond_8, &(emitted_3));
+        (*at_8).path_7 = _S277;
+        next_4 = _S278;
+        var goes_on_3 : bool = (any(((next_4.direction_0) != _S275)));
         if((*at_8).has_shown_0)
         {
             (*sample_12).light_6 = (*sample_12).light_6 + (cached_1 + emitted_3);
@@ -4418,44 +4475,44 @@ fn goes_on_from_1( at_8 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_8 : 
     {
         choose_light_0(scatter_of_path_0, &(next_4));
     }
-    if(!_S272)
+    if(!_S274)
     {
-        var _S277 : bool;
+        var _S279 : bool;
         if(counts_arrivals_0)
         {
-            _S277 = next_4.has_shadow_ray_0;
+            _S279 = next_4.has_shadow_ray_0;
         }
         else
         {
-            _S277 = false;
+            _S279 = false;
         }
-        if(_S277)
+        if(_S279)
         {
-            _S277 = (Path_events_0(scatter_of_path_0.path_0)) == u32(0);
+            _S279 = (Path_events_0(scatter_of_path_0.path_0)) == u32(0);
         }
         else
         {
-            _S277 = false;
+            _S279 = false;
         }
-        if(_S277)
+        if(_S279)
         {
-            _S277 = !scatter_of_path_0.is_scattered_0;
+            _S279 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S277 = false;
+            _S279 = false;
         }
-        if(_S277)
+        if(_S279)
         {
-            _S277 = !Inside_is_in_0(scatter_of_path_0.path_0.inside_0);
+            _S279 = !Inside_is_in_0(scatter_of_path_0.path_0.inside_0);
         }
         else
         {
-            _S277 = false;
+            _S279 = false;
         }
-        (*at_8).counts_0 = _S277;
+        (*at_8).counts_0 = _S279;
     }
-    if(_S272)
+    if(_S274)
     {
         (*at_8).path_7.bounce_0 = u32(1);
         (*at_8).path_7.event_0 = u32(1);
@@ -4504,9 +4561,9 @@ fn local_ray_0( ray_16 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
     var origin_8 : vec3<f32>;
     if(!IS_SINGLE_0)
     {
-        var _S278 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_16.origin_1);
+        var _S280 : vec3<f32> = Transform_point_0(grid_from_world_2, ray_16.origin_1);
         direction_27 = Transform_direction_0(grid_from_world_2, ray_16.direction_1);
-        origin_8 = _S278;
+        origin_8 = _S280;
     }
     else
     {
@@ -4514,11 +4571,11 @@ fn local_ray_0( ray_16 : Ray_0,  grid_from_world_2 : Transform_0) -> LocalRay_0
         origin_8 = ray_16.origin_1;
     }
     var is_zero_0 : vec3<bool> = !((abs(direction_27)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S279 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
-    local_3.direction_26 = _S279;
+    var _S281 : vec3<f32> = select(direction_27, vec3<f32>(0.0f), is_zero_0);
+    local_3.direction_26 = _S281;
     local_3.inverse_0 = select(reciprocal_0(select(direction_27, vec3<f32>(1.0f), is_zero_0)), vec3<f32>(3.4028234663852886e+38f), is_zero_0);
     local_3.origin_7 = select(origin_8, floor(origin_8) + vec3<f32>(0.5f), is_zero_0);
-    var speed_0 : f32 = max_element_0(abs(_S279));
+    var speed_0 : f32 = max_element_0(abs(_S281));
     var moves_0 : bool;
     if(speed_0 >= 1.00000004581370497e-18f)
     {
@@ -4595,8 +4652,8 @@ fn Walk_mirror_0( this_34 : Walk_0) -> vec3<i32>
 
 fn Walk_mirrored_plane_0( this_35 : Walk_0,  plane_0 : vec3<i32>) -> vec3<i32>
 {
-    var _S280 : vec3<i32> = Walk_mirror_0(this_35);
-    return ((plane_0 ^ (_S280))) - _S280;
+    var _S282 : vec3<i32> = Walk_mirror_0(this_35);
+    return ((plane_0 ^ (_S282))) - _S282;
 }
 
 fn LocalRay_mirrored_origin_0( this_36 : LocalRay_0) -> vec3<f32>
@@ -4611,16 +4668,16 @@ fn min_element_0( vector_5 : vec3<f32>) -> f32
 
 fn top_shift_of_0( grid_8 : PackedGrid_0) -> u32
 {
-    var _S281 : u32;
+    var _S283 : u32;
     if(TOP_SHIFT_0 != u32(0))
     {
-        _S281 = TOP_SHIFT_0;
+        _S283 = TOP_SHIFT_0;
     }
     else
     {
-        _S281 = grid_8.top_shift_0;
+        _S283 = grid_8.top_shift_0;
     }
-    return _S281;
+    return _S283;
 }
 
 fn LocalRay_tolerance_0( this_37 : LocalRay_0,  low_7 : vec3<i32>,  high_2 : vec3<i32>) -> vec3<f32>
@@ -4639,29 +4696,29 @@ fn walk_from_0( base_1 : vec3<i32>,  ray_18 : LocalRay_0,  grid_9 : PackedGrid_0
     walk_0.ray_17 = ray_18;
     walk_0.base_0 = base_1;
     walk_0.octant_0 = LocalRay_octant_0(ray_18);
-    var _S282 : vec3<i32>;
+    var _S284 : vec3<i32>;
     if(IS_EXACT_0)
     {
-        _S282 = Walk_mirrored_plane_0(walk_0, base_1);
+        _S284 = Walk_mirrored_plane_0(walk_0, base_1);
     }
     else
     {
-        _S282 = vec3<i32>(i32(0));
+        _S284 = vec3<i32>(i32(0));
     }
-    walk_0.offset_0 = _S282;
+    walk_0.offset_0 = _S284;
     walk_0.origin_9 = LocalRay_mirrored_origin_0(ray_18);
-    var _S283 : vec3<f32> = abs(ray_18.direction_26);
-    var _S284 : vec3<f32> = abs(ray_18.inverse_0);
+    var _S285 : vec3<f32> = abs(ray_18.direction_26);
+    var _S286 : vec3<f32> = abs(ray_18.inverse_0);
     var is_still_0 : vec3<bool> = (ray_18.direction_26) == vec3<f32>(0.0f);
-    walk_0.speed_1 = select(_S283, vec3<f32>((max_element_0(_S283) * 9.99999993922529029e-09f)), is_still_0);
-    walk_0.inverse_1 = select(_S284, vec3<f32>((min_element_0(_S284) * 9.99999986991104e+14f)), is_still_0);
+    walk_0.speed_1 = select(_S285, vec3<f32>((max_element_0(_S285) * 9.99999993922529029e-09f)), is_still_0);
+    walk_0.inverse_1 = select(_S286, vec3<f32>((min_element_0(_S286) * 9.99999986991104e+14f)), is_still_0);
     if(!IS_EXACT_0)
     {
-        var _S285 : vec3<f32> = vec3<f32>(base_1);
-        walk_0.origin_9 = select(ray_18.origin_7 - _S285, _S285 - ray_18.origin_7, (ray_18.direction_26) < vec3<f32>(0.0f));
-        var _S286 : vec3<f32> = max(_S283, vec3<f32>(1.00000004581370497e-18f));
-        walk_0.speed_1 = _S286;
-        walk_0.inverse_1 = vec3<f32>(1.0f) / _S286;
+        var _S287 : vec3<f32> = vec3<f32>(base_1);
+        walk_0.origin_9 = select(ray_18.origin_7 - _S287, _S287 - ray_18.origin_7, (ray_18.direction_26) < vec3<f32>(0.0f));
+        var _S288 : vec3<f32> = max(_S285, vec3<f32>(1.00000004581370497e-18f));
+        walk_0.speed_1 = _S288;
+        walk_0.inverse_1 = vec3<f32>(1.0f) / _S288;
     }
     var low_8 : vec3<i32> = cell_of_0(grid_9.origin_4);
     walk_0.tolerance_0 = LocalRay_tolerance_0(ray_18, low_8, low_8 + (((cell_of_0(grid_9.top_size_0)) << (vec3<u32>(top_shift_of_0(grid_9))))));
@@ -4689,65 +4746,65 @@ fn exact_product_0( a_4 : f32,  b_4 : f32) -> vec2<f32>
     }
     var a_parts_0 : vec2<f32> = halves_0(a_4);
     var b_parts_0 : vec2<f32> = halves_0(b_4);
-    var _S287 : f32 = a_parts_0.x;
-    var _S288 : f32 = b_parts_0.x;
-    var _S289 : f32 = b_parts_0.y;
-    var _S290 : f32 = a_parts_0.y;
-    return vec2<f32>(product_0, _S287 * _S288 - product_0 + _S287 * _S289 + _S290 * _S288 + _S290 * _S289);
+    var _S289 : f32 = a_parts_0.x;
+    var _S290 : f32 = b_parts_0.x;
+    var _S291 : f32 = b_parts_0.y;
+    var _S292 : f32 = a_parts_0.y;
+    return vec2<f32>(product_0, _S289 * _S290 - product_0 + _S289 * _S291 + _S292 * _S290 + _S292 * _S291);
 }
 
 fn exact_start_voxel_0( ray_19 : LocalRay_0) -> vec3<i32>
 {
     var way_3 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(0)]);
-    var _S291 : f32 = way_3.x;
-    var sum_3 : f32 = ray_19.origin_7[u32(0)] + _S291;
+    var _S293 : f32 = way_3.x;
+    var sum_3 : f32 = ray_19.origin_7[u32(0)] + _S293;
     var part_0 : f32 = sum_3 - ray_19.origin_7[u32(0)];
-    var low_9 : f32 = ray_19.origin_7[u32(0)] - (sum_3 - part_0) + (_S291 - part_0) + way_3.y;
+    var low_9 : f32 = ray_19.origin_7[u32(0)] - (sum_3 - part_0) + (_S293 - part_0) + way_3.y;
     var whole_0 : f32 = floor(sum_3);
     var voxel_7 : vec3<i32>;
-    var _S292 : i32 = i32(whole_0);
-    var _S293 : bool;
+    var _S294 : i32 = i32(whole_0);
+    var _S295 : bool;
     if(sum_3 == whole_0)
     {
-        _S293 = low_9 < 0.0f;
+        _S295 = low_9 < 0.0f;
     }
     else
     {
-        _S293 = false;
+        _S295 = false;
     }
-    voxel_7[u32(0)] = _S292 - i32(_S293);
+    voxel_7[u32(0)] = _S294 - i32(_S295);
     var way_4 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(1)]);
-    var _S294 : f32 = way_4.x;
-    var sum_4 : f32 = ray_19.origin_7[u32(1)] + _S294;
+    var _S296 : f32 = way_4.x;
+    var sum_4 : f32 = ray_19.origin_7[u32(1)] + _S296;
     var part_1 : f32 = sum_4 - ray_19.origin_7[u32(1)];
-    var low_10 : f32 = ray_19.origin_7[u32(1)] - (sum_4 - part_1) + (_S294 - part_1) + way_4.y;
+    var low_10 : f32 = ray_19.origin_7[u32(1)] - (sum_4 - part_1) + (_S296 - part_1) + way_4.y;
     var whole_1 : f32 = floor(sum_4);
-    var _S295 : i32 = i32(whole_1);
+    var _S297 : i32 = i32(whole_1);
     if(sum_4 == whole_1)
     {
-        _S293 = low_10 < 0.0f;
+        _S295 = low_10 < 0.0f;
     }
     else
     {
-        _S293 = false;
+        _S295 = false;
     }
-    voxel_7[u32(1)] = _S295 - i32(_S293);
+    voxel_7[u32(1)] = _S297 - i32(_S295);
     var way_5 : vec2<f32> = exact_product_0(ray_19.t_min_2, ray_19.direction_26[u32(2)]);
-    var _S296 : f32 = way_5.x;
-    var sum_5 : f32 = ray_19.origin_7[u32(2)] + _S296;
+    var _S298 : f32 = way_5.x;
+    var sum_5 : f32 = ray_19.origin_7[u32(2)] + _S298;
     var part_2 : f32 = sum_5 - ray_19.origin_7[u32(2)];
-    var low_11 : f32 = ray_19.origin_7[u32(2)] - (sum_5 - part_2) + (_S296 - part_2) + way_5.y;
+    var low_11 : f32 = ray_19.origin_7[u32(2)] - (sum_5 - part_2) + (_S298 - part_2) + way_5.y;
     var whole_2 : f32 = floor(sum_5);
-    var _S297 : i32 = i32(whole_2);
+    var _S299 : i32 = i32(whole_2);
     if(sum_5 == whole_2)
     {
-        _S293 = low_11 < 0.0f;
+        _S295 = low_11 < 0.0f;
     }
     else
     {
-        _S293 = false;
+        _S295 = false;
     }
-    voxel_7[u32(2)] = _S297 - i32(_S293);
+    voxel_7[u32(2)] = _S299 - i32(_S295);
     return voxel_7;
 }
 
@@ -4760,16 +4817,16 @@ fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
     }
     var nearest_0 : vec3<f32> = round(start_3);
     var from_nearest_0 : vec3<f32> = start_3 - nearest_0;
-    var _S298 : bool;
+    var _S300 : bool;
     if((this_40.ray_17.t_min_2) > 0.0f)
     {
-        _S298 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
+        _S300 = (any(((abs(from_nearest_0)) <= (this_40.tolerance_0))));
     }
     else
     {
-        _S298 = false;
+        _S300 = false;
     }
-    if(_S298)
+    if(_S300)
     {
         return Walk_mirrored_0(this_40, exact_start_voxel_0(this_40.ray_17) - this_40.base_0);
     }
@@ -4780,16 +4837,16 @@ fn Walk_start_voxel_0( this_40 : Walk_0) -> vec3<i32>
 
 fn Walk_crossings_0( this_41 : Walk_0,  planes_1 : vec3<i32>) -> vec3<f32>
 {
-    var _S299 : bool;
+    var _S301 : bool;
     if(IS_EXACT_0)
     {
-        _S299 = !CELLS_SKIP_0;
+        _S301 = !CELLS_SKIP_0;
     }
     else
     {
-        _S299 = false;
+        _S301 = false;
     }
-    if(_S299)
+    if(_S301)
     {
         return ((bitcast<vec3<f32>>((planes_1 + this_41.offset_0 + vec3<i32>(i32(1262485504))))) - vec3<f32>(1.2582912e+07f) - this_41.origin_9) * this_41.inverse_1;
     }
@@ -4806,12 +4863,12 @@ struct Crossing_0
 
 fn Crossing_x24init_0( distance_1 : f32,  distance_low_1 : f32,  speed_3 : f32,  axis_2 : u32) -> Crossing_0
 {
-    var _S300 : Crossing_0;
-    _S300.distance_0 = distance_1;
-    _S300.distance_low_0 = distance_low_1;
-    _S300.speed_2 = speed_3;
-    _S300.axis_1 = axis_2;
-    return _S300;
+    var _S302 : Crossing_0;
+    _S302.distance_0 = distance_1;
+    _S302.distance_low_0 = distance_low_1;
+    _S302.speed_2 = speed_3;
+    _S302.axis_1 = axis_2;
+    return _S302;
 }
 
 fn crossing_ahead_0( origin_10 : f32,  speed_4 : f32,  axis_3 : u32,  plane_1 : i32) -> Crossing_0
@@ -4832,30 +4889,30 @@ fn Crossing_is_before_0( this_42 : Crossing_0,  other_2 : Crossing_0) -> bool
         theirs_0[i32(1)] = theirs_0[i32(1)] + other_2.distance_low_0 * this_42.speed_2;
     }
     var difference_1 : f32 = ours_0.x - theirs_0.x + (ours_0.y - theirs_0.y);
-    var _S301 : bool;
+    var _S303 : bool;
     if(difference_1 < 0.0f)
     {
-        _S301 = true;
+        _S303 = true;
     }
     else
     {
         if(difference_1 == 0.0f)
         {
-            _S301 = (this_42.axis_1) < (other_2.axis_1);
+            _S303 = (this_42.axis_1) < (other_2.axis_1);
         }
         else
         {
-            _S301 = false;
+            _S303 = false;
         }
     }
-    return _S301;
+    return _S303;
 }
 
 fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : vec3<i32>,  is_first_0 : bool) -> Crossing_0
 {
-    var _S302 : bool;
+    var _S304 : bool;
     var found_1 : Crossing_0;
-    var _S303 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
+    var _S305 : Crossing_0 = Crossing_x24init_0(0.0f, 0.0f, 0.0f, u32(3));
     for(;;)
     {
         for(;;)
@@ -4864,25 +4921,25 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
             {
                 if((speed_5[u32(0)]) == 0.0f)
                 {
-                    found_1 = _S303;
+                    found_1 = _S305;
                     break;
                 }
                 var crossing_0 : Crossing_0 = crossing_ahead_0(origin_11[u32(0)], speed_5[u32(0)], u32(0), planes_2[u32(0)]);
-                if((_S303.axis_1) == u32(3))
+                if((_S305.axis_1) == u32(3))
                 {
-                    _S302 = true;
+                    _S304 = true;
                 }
                 else
                 {
-                    _S302 = (Crossing_is_before_0(crossing_0, _S303)) == is_first_0;
+                    _S304 = (Crossing_is_before_0(crossing_0, _S305)) == is_first_0;
                 }
-                if(_S302)
+                if(_S304)
                 {
                     found_1 = crossing_0;
                 }
                 else
                 {
-                    found_1 = _S303;
+                    found_1 = _S305;
                 }
                 break;
             }
@@ -4899,13 +4956,13 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
                 var crossing_1 : Crossing_0 = crossing_ahead_0(origin_11[u32(1)], speed_5[u32(1)], u32(1), planes_2[u32(1)]);
                 if((found_1.axis_1) == u32(3))
                 {
-                    _S302 = true;
+                    _S304 = true;
                 }
                 else
                 {
-                    _S302 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
+                    _S304 = (Crossing_is_before_0(crossing_1, found_1)) == is_first_0;
                 }
-                if(_S302)
+                if(_S304)
                 {
                     found_1 = crossing_1;
                 }
@@ -4924,13 +4981,13 @@ fn crossing_among_0( origin_11 : vec3<f32>,  speed_5 : vec3<f32>,  planes_2 : ve
                 var crossing_2 : Crossing_0 = crossing_ahead_0(origin_11[u32(2)], speed_5[u32(2)], u32(2), planes_2[u32(2)]);
                 if((found_1.axis_1) == u32(3))
                 {
-                    _S302 = true;
+                    _S304 = true;
                 }
                 else
                 {
-                    _S302 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
+                    _S304 = (Crossing_is_before_0(crossing_2, found_1)) == is_first_0;
                 }
-                if(_S302)
+                if(_S304)
                 {
                     found_1 = crossing_2;
                 }
@@ -4947,7 +5004,7 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
 {
     var is_crossed_0 : bool;
     var plane_2 : i32;
-    var _S304 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
+    var _S306 : Crossing_0 = crossing_among_0(origin_12, speed_6, exit_0, true);
     var arrival_0 : vec3<i32> = voxel_8;
     for(;;)
     {
@@ -4959,16 +5016,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S305 : bool = u32(0) == (_S304.axis_1);
-                if(_S305)
+                var _S307 : bool = u32(0) == (_S306.axis_1);
+                if(_S307)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S304);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(0)], speed_6[u32(0)], u32(0), nearest_1[u32(0)]), _S306);
                 }
-                if(_S305)
+                if(_S307)
                 {
                     plane_2 = exit_0[u32(0)];
                 }
@@ -4989,16 +5046,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S306 : bool = u32(1) == (_S304.axis_1);
-                if(_S306)
+                var _S308 : bool = u32(1) == (_S306.axis_1);
+                if(_S308)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S304);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(1)], speed_6[u32(1)], u32(1), nearest_1[u32(1)]), _S306);
                 }
-                if(_S306)
+                if(_S308)
                 {
                     plane_2 = exit_0[u32(1)];
                 }
@@ -5019,16 +5076,16 @@ fn leave_box_0( origin_12 : vec3<f32>,  speed_6 : vec3<f32>,  voxel_8 : vec3<i32
                 {
                     break;
                 }
-                var _S307 : bool = u32(2) == (_S304.axis_1);
-                if(_S307)
+                var _S309 : bool = u32(2) == (_S306.axis_1);
+                if(_S309)
                 {
                     is_crossed_0 = true;
                 }
                 else
                 {
-                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S304);
+                    is_crossed_0 = Crossing_is_before_0(crossing_ahead_0(origin_12[u32(2)], speed_6[u32(2)], u32(2), nearest_1[u32(2)]), _S306);
                 }
-                if(_S307)
+                if(_S309)
                 {
                     plane_2 = exit_0[u32(2)];
                 }
@@ -5083,9 +5140,9 @@ fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
             return false;
         }
         var is_x_0 : bool = (t_7.x) == t_last_0;
-        var _S308 : bool = !is_x_0;
+        var _S310 : bool = !is_x_0;
         var is_y_0 : bool;
-        if(_S308)
+        if(_S310)
         {
             is_y_0 = (t_7.y) == t_last_0;
         }
@@ -5093,16 +5150,16 @@ fn Walk_enter_rounded_0( this_44 : Walk_0,  voxel_10 : ptr<function, vec3<i32>>,
         {
             is_y_0 = false;
         }
-        var _S309 : bool;
-        if(_S308)
+        var _S311 : bool;
+        if(_S310)
         {
-            _S309 = !is_y_0;
+            _S311 = !is_y_0;
         }
         else
         {
-            _S309 = false;
+            _S311 = false;
         }
-        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S309);
+        var is_axis_2 : vec3<bool> = vec3<bool>(is_x_0, is_y_0, _S311);
         (*voxel_10) = Walk_arrive_0(this_44, (*voxel_10), t_last_0, is_axis_2, select(vec3<i32>(i32(1073741823)), near_2, is_axis_2));
     }
     return (all(((*voxel_10) < far_1)));
@@ -5124,8 +5181,8 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 {
     if(!IS_EXACT_0)
     {
-        var _S310 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
-        return _S310;
+        var _S312 : bool = Walk_leave_rounded_0(this_46, &((*voxel_12)), exit_3);
+        return _S312;
     }
     var t_9 : vec3<f32> = Walk_crossings_0(this_46, exit_3);
     var t_first_1 : f32 = min_element_0(t_9);
@@ -5134,52 +5191,52 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
         return false;
     }
     var back_0 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_9 - vec3<f32>(t_first_1), this_46.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
-    var _S311 : vec3<f32> = vec3<f32>(1.2582912e+07f);
-    var rounded_0 : vec3<f32> = back_0 + _S311;
-    var _S312 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
-    var _S313 : vec3<f32> = vec3<f32>(0.5f);
-    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S311 - back_0)) >= (_S313 - this_46.tolerance_0);
-    var _S314 : bool = is_unsure_0.x;
-    var _S315 : bool;
-    if(_S314)
+    var _S313 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_0 : vec3<f32> = back_0 + _S313;
+    var _S314 : vec3<i32> = exit_3 - ((bitcast<vec3<i32>>((rounded_0))) - vec3<i32>(i32(1262485504)));
+    var _S315 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_0 : vec3<bool> = (abs(rounded_0 - _S313 - back_0)) >= (_S315 - this_46.tolerance_0);
+    var _S316 : bool = is_unsure_0.x;
+    var _S317 : bool;
+    if(_S316)
     {
-        _S315 = is_unsure_0.y;
+        _S317 = is_unsure_0.y;
     }
     else
     {
-        _S315 = false;
+        _S317 = false;
     }
-    if(_S315)
+    if(_S317)
     {
-        _S315 = true;
+        _S317 = true;
     }
     else
     {
-        if(_S314)
+        if(_S316)
         {
-            _S315 = true;
+            _S317 = true;
         }
         else
         {
-            _S315 = is_unsure_0.y;
+            _S317 = is_unsure_0.y;
         }
-        if(_S315)
+        if(_S317)
         {
-            _S315 = is_unsure_0.z;
+            _S317 = is_unsure_0.z;
         }
         else
         {
-            _S315 = false;
+            _S317 = false;
         }
     }
     var arrival_1 : vec3<i32>;
-    if(_S315)
+    if(_S317)
     {
-        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S313)) + this_46.offset_0) - this_46.offset_0;
+        arrival_1 = leave_box_0(this_46.origin_9, this_46.speed_1, (*voxel_12) + this_46.offset_0, exit_3 + this_46.offset_0, exit_3 - vec3<i32>(round(back_0 - _S315)) + this_46.offset_0) - this_46.offset_0;
     }
     else
     {
-        arrival_1 = _S312;
+        arrival_1 = _S314;
     }
     (*voxel_12) = max(arrival_1, (*voxel_12));
     return true;
@@ -5187,44 +5244,44 @@ fn Walk_leave_0( this_46 : Walk_0,  voxel_12 : ptr<function, vec3<i32>>,  exit_3
 
 fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12 : vec3<i32>,  high_4 : vec3<i32>) -> bool
 {
-    var _S316 : bool;
+    var _S318 : bool;
     var is_mirrored_0 : vec3<bool> = (Walk_mirror_0(this_47)) != vec3<i32>(i32(0));
     var near_3 : vec3<i32> = select(low_12, (vec3<i32>(0) - high_4), is_mirrored_0);
     var far_2 : vec3<i32> = select(high_4, (vec3<i32>(0) - low_12), is_mirrored_0);
     if(!IS_EXACT_0)
     {
-        var _S317 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_3, far_2);
-        return _S317;
+        var _S319 : bool = Walk_enter_rounded_0(this_47, &((*voxel_13)), near_3, far_2);
+        return _S319;
     }
     var axis_4 : u32 = u32(0);
     for(;;)
     {
         if(axis_4 < u32(3))
         {
-            _S316 = (any(((*voxel_13) < near_3)));
-        }
-        else
-        {
-            _S316 = false;
-        }
-        var _S318 : bool;
-        if(_S316)
-        {
-            _S318 = (all(((*voxel_13) < far_2)));
+            _S318 = (any(((*voxel_13) < near_3)));
         }
         else
         {
             _S318 = false;
         }
+        var _S320 : bool;
         if(_S318)
+        {
+            _S320 = (all(((*voxel_13) < far_2)));
+        }
+        else
+        {
+            _S320 = false;
+        }
+        if(_S320)
         {
         }
         else
         {
             break;
         }
-        var _S319 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_3, (*voxel_13) < near_3));
-        if(!_S319)
+        var _S321 : bool = Walk_leave_0(this_47, &((*voxel_13)), select(far_2, near_3, (*voxel_13) < near_3));
+        if(!_S321)
         {
             return false;
         }
@@ -5232,13 +5289,13 @@ fn Walk_enter_0( this_47 : Walk_0,  voxel_13 : ptr<function, vec3<i32>>,  low_12
     }
     if((all(((*voxel_13) >= near_3))))
     {
-        _S316 = (all(((*voxel_13) < far_2)));
+        _S318 = (all(((*voxel_13) < far_2)));
     }
     else
     {
-        _S316 = false;
+        _S318 = false;
     }
-    return _S316;
+    return _S318;
 }
 
 fn flip_of_0( octant_1 : u32) -> u32
@@ -5260,16 +5317,16 @@ fn ahead_of_0( mirror_0 : vec3<i32>) -> u32
 fn skip_distance_0( cell_10 : u32,  octant_2 : u32) -> u32
 {
     var code_2 : u32 = (((cell_10 >> ((u32(3) * octant_2)))) & (u32(7)));
-    var _S320 : u32;
+    var _S322 : u32;
     if(code_2 < u32(2))
     {
-        _S320 = code_2 + u32(1);
+        _S322 = code_2 + u32(1);
     }
     else
     {
-        _S320 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
+        _S322 = ((u32(3) + ((code_2 & (u32(1))))) << ((((code_2 >> (u32(1)))) - u32(1))));
     }
-    return _S320;
+    return _S322;
 }
 
 fn extents_0( cell_11 : u32,  ahead_0 : u32) -> vec3<i32>
@@ -5300,24 +5357,24 @@ fn empty_around_0( record_4 : u32,  blocks_0 : u32,  voxel_14 : vec3<i32>,  octa
     {
         return u32(4294967295);
     }
-    var _S321 : i32;
+    var _S323 : i32;
     if(((((half_3 >> (((bit_1 & (u32(10))))))) & (u32(3342387)))) == u32(0))
     {
-        _S321 = i32(1);
+        _S323 = i32(1);
     }
     else
     {
-        _S321 = i32(0);
+        _S323 = i32(0);
     }
-    return u32(_S321);
+    return u32(_S323);
 }
 
 fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4 : vec3<i32>) -> bool
 {
     if(!IS_EXACT_0)
     {
-        var _S322 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
-        return _S322;
+        var _S324 : bool = Walk_leave_rounded_0(this_48, &((*voxel_15)), exit_4);
+        return _S324;
     }
     var t_10 : vec3<f32> = Walk_crossings_0(this_48, exit_4);
     var t_first_2 : f32 = min_element_0(t_10);
@@ -5326,52 +5383,52 @@ fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
         return false;
     }
     var back_1 : vec3<f32> = (bitcast<vec3<f32>>((min((bitcast<vec3<u32>>((fma(t_10 - vec3<f32>(t_first_2), this_48.speed_1, vec3<f32>(0.5f))))), vec3<u32>((bitcast<u32>((2.097152e+06f))))))));
-    var _S323 : vec3<f32> = vec3<f32>(1.2582912e+07f);
-    var rounded_1 : vec3<f32> = back_1 + _S323;
-    var _S324 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
-    var _S325 : vec3<f32> = vec3<f32>(0.5f);
-    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S323 - back_1)) >= (_S325 - this_48.tolerance_0);
-    var _S326 : bool = is_unsure_1.x;
-    var _S327 : bool;
-    if(_S326)
+    var _S325 : vec3<f32> = vec3<f32>(1.2582912e+07f);
+    var rounded_1 : vec3<f32> = back_1 + _S325;
+    var _S326 : vec3<i32> = exit_4 - ((bitcast<vec3<i32>>((rounded_1))) - vec3<i32>(i32(1262485504)));
+    var _S327 : vec3<f32> = vec3<f32>(0.5f);
+    var is_unsure_1 : vec3<bool> = (abs(rounded_1 - _S325 - back_1)) >= (_S327 - this_48.tolerance_0);
+    var _S328 : bool = is_unsure_1.x;
+    var _S329 : bool;
+    if(_S328)
     {
-        _S327 = is_unsure_1.y;
+        _S329 = is_unsure_1.y;
     }
     else
     {
-        _S327 = false;
+        _S329 = false;
     }
-    if(_S327)
+    if(_S329)
     {
-        _S327 = true;
+        _S329 = true;
     }
     else
     {
-        if(_S326)
+        if(_S328)
         {
-            _S327 = true;
+            _S329 = true;
         }
         else
         {
-            _S327 = is_unsure_1.y;
+            _S329 = is_unsure_1.y;
         }
-        if(_S327)
+        if(_S329)
         {
-            _S327 = is_unsure_1.z;
+            _S329 = is_unsure_1.z;
         }
         else
         {
-            _S327 = false;
+            _S329 = false;
         }
     }
     var arrival_2 : vec3<i32>;
-    if(_S327)
+    if(_S329)
     {
-        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S325)) + this_48.offset_0) - this_48.offset_0;
+        arrival_2 = leave_box_0(this_48.origin_9, this_48.speed_1, (*voxel_15) + this_48.offset_0, exit_4 + this_48.offset_0, exit_4 - vec3<i32>(round(back_1 - _S327)) + this_48.offset_0) - this_48.offset_0;
     }
     else
     {
-        arrival_2 = _S324;
+        arrival_2 = _S326;
     }
     (*voxel_15) = max(arrival_2, (*voxel_15));
     return true;
@@ -5379,48 +5436,48 @@ fn Walk_leave_1( this_48 : Walk_0,  voxel_15 : ptr<function, vec3<i32>>,  exit_4
 
 fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<function, vec3<i32>>) -> bool
 {
-    var _S328 : Walk_0 = walk_1;
-    var _S329 : vec3<i32> = vec3<i32>(i32(0));
-    (*found_2) = _S329;
+    var _S330 : Walk_0 = walk_1;
+    var _S331 : vec3<i32> = vec3<i32>(i32(0));
+    (*found_2) = _S331;
     var voxel_16 : vec3<i32> = Walk_start_voxel_0(walk_1);
-    var _S330 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S328.base_0, cell_of_0(grid_10.max_1) - _S328.base_0);
-    if(!_S330)
+    var _S332 : bool = Walk_enter_0(walk_1, &(voxel_16), cell_of_0(grid_10.min_1) - _S330.base_0, cell_of_0(grid_10.max_1) - _S330.base_0);
+    if(!_S332)
     {
         return false;
     }
-    var octant_4 : u32 = _S328.octant_0;
-    var _S331 : u32 = flip_of_0(_S328.octant_0);
+    var octant_4 : u32 = _S330.octant_0;
+    var _S333 : u32 = flip_of_0(_S330.octant_0);
     var top_shift_1 : u32 = top_shift_of_0(grid_10);
     var top_size_1 : vec3<i32> = cell_of_0(grid_10.top_size_0);
-    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S328.base_0;
-    var _S332 : i32 = top_size_1.x;
-    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S332, _S332 * top_size_1.y);
-    var _S333 : vec3<u32> = vec3<u32>(top_shift_1);
-    var _S334 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S328)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S333)));
-    var _S335 : vec3<i32> = Walk_mirrored_plane_0(_S328, stride_0);
-    var _S336 : u32 = ahead_of_0(Walk_mirror_0(_S328));
-    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S328, select(low_13 + ((top_size_1 << (_S333))), low_13, (Walk_mirror_0(_S328)) != _S329));
+    var low_13 : vec3<i32> = cell_of_0(grid_10.origin_4) - _S330.base_0;
+    var _S334 : i32 = top_size_1.x;
+    var stride_0 : vec3<i32> = vec3<i32>(i32(1), _S334, _S334 * top_size_1.y);
+    var _S335 : vec3<u32> = vec3<u32>(top_shift_1);
+    var _S336 : i32 = i32(grid_10.top_offset_0) - dot_cells_0((stride_0 & ((Walk_mirror_0(_S330)))), vec3<i32>(i32(1))) - dot_cells_0(stride_0, (low_13 >> (_S335)));
+    var _S337 : vec3<i32> = Walk_mirrored_plane_0(_S330, stride_0);
+    var _S338 : u32 = ahead_of_0(Walk_mirror_0(_S330));
+    var end_1 : vec3<i32> = Walk_mirrored_plane_0(_S330, select(low_13 + ((top_size_1 << (_S335))), low_13, (Walk_mirror_0(_S330)) != _S331));
     if(!IS_EXACT_0)
     {
-        _S328.t_end_0 = min(_S328.t_end_0, min_element_0(Walk_crossings_0(_S328, end_1)));
+        _S330.t_end_0 = min(_S330.t_end_0, min_element_0(Walk_crossings_0(_S330, end_1)));
     }
     var is_found_3 : bool = false;
     for(;;)
     {
-        var _S337 : bool;
+        var _S339 : bool;
         if(IS_EXACT_0)
         {
-            _S337 = (any((voxel_16 >= end_1)));
+            _S339 = (any((voxel_16 >= end_1)));
         }
         else
         {
-            _S337 = false;
+            _S339 = false;
         }
-        if(_S337)
+        if(_S339)
         {
             break;
         }
-        var cell_13 : u32 = cell_word_0(u32(_S334 + dot_cells_0(_S335, (voxel_16 >> (_S333)))));
+        var cell_13 : u32 = cell_word_0(u32(_S336 + dot_cells_0(_S337, (voxel_16 >> (_S335)))));
         var is_found_4 : bool;
         var cell_14 : u32;
         var shift_4 : u32;
@@ -5428,7 +5485,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
         {
             if(((cell_13 & (u32(2147483648)))) != u32(0))
             {
-                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S331))));
+                cell_14 = cell_word_0(((cell_13 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, u32(3))) ^ (_S333))));
                 shift_4 = u32(3);
             }
             else
@@ -5451,16 +5508,16 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
                 {
                     is_found_4 = false;
                 }
-                var _S338 : bool;
+                var _S340 : bool;
                 if(is_found_4)
                 {
-                    _S338 = ((cell_14 & (u32(2147483648)))) != u32(0);
+                    _S340 = ((cell_14 & (u32(2147483648)))) != u32(0);
                 }
                 else
                 {
-                    _S338 = false;
+                    _S340 = false;
                 }
-                if(_S338)
+                if(_S340)
                 {
                 }
                 else
@@ -5468,7 +5525,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
                     break;
                 }
                 var shift_5 : u32 = shift_4 - u32(2);
-                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S331))));
+                cell_14 = cell_word_0(((cell_14 & (u32(2147483647)))) * u32(64) + (((cell_in_node_0(voxel_16, shift_5)) ^ (_S333))));
                 shift_4 = shift_5;
             }
         }
@@ -5485,7 +5542,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             }
             else
             {
-                exit_5 = extents_0(cell_14, _S336);
+                exit_5 = extents_0(cell_14, _S338);
             }
             exit_5 = ((voxel_16 | (vec3<i32>((((i32(1) << (shift_4))) - i32(1)))))) + vec3<i32>(i32(1)) + ((exit_5 << (vec3<u32>(shift_4))));
             is_found_4 = is_found_3;
@@ -5502,7 +5559,7 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             {
                 blocks_1 = blocks_of_record_0(record_5);
             }
-            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S331);
+            var low_bits_0 : u32 = empty_around_0(record_5, blocks_1, voxel_16, octant_4, _S333);
             var is_found_5 : bool = low_bits_0 == u32(4294967295);
             if(is_found_5)
             {
@@ -5512,15 +5569,15 @@ fn first_voxel_0( grid_10 : PackedGrid_0,  walk_1 : Walk_0,  found_2 : ptr<funct
             exit_5 = ((voxel_16 | (vec3<i32>(i32(low_bits_0))))) + vec3<i32>(i32(1));
             is_found_4 = is_found_5;
         }
-        var _S339 : bool = Walk_leave_1(_S328, &(voxel_16), exit_5);
-        if(!_S339)
+        var _S341 : bool = Walk_leave_1(_S330, &(voxel_16), exit_5);
+        if(!_S341)
         {
             is_found_3 = is_found_4;
             break;
         }
         is_found_3 = is_found_4;
     }
-    (*found_2) = Walk_mirrored_0(_S328, voxel_16) + _S328.base_0;
+    (*found_2) = Walk_mirrored_0(_S330, voxel_16) + _S330.base_0;
     return is_found_3;
 }
 
@@ -5533,16 +5590,16 @@ fn ray_of_walk_0( walk_2 : Walk_0,  ray_20 : Ray_0) -> Ray_0
 fn hit_at_0( last_5 : Crossing_0,  t_min_3 : f32,  inverse_2 : vec3<f32>,  voxel_17 : vec3<i32>,  instance_12 : u32,  octant_5 : u32) -> Hit_0
 {
     var t_11 : f32 = last_5.distance_0 * inverse_2[last_5.axis_1];
-    var _S340 : f32;
+    var _S342 : f32;
     if(t_11 > t_min_3)
     {
-        _S340 = t_11;
+        _S342 = t_11;
     }
     else
     {
-        _S340 = t_min_3;
+        _S342 = t_min_3;
     }
-    return Hit_x24init_0(_S340, instance_12, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
+    return Hit_x24init_0(_S342, instance_12, voxel_17, u32(2) * last_5.axis_1 + ((((octant_5 >> ((last_5.axis_1)))) & (u32(1)))));
 }
 
 fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_13 : u32) -> Hit_0
@@ -5554,23 +5611,23 @@ fn hit_of_walk_0( walk_3 : Walk_0,  voxel_18 : vec3<i32>,  instance_13 : u32) ->
     }
     var t_12 : vec3<f32> = Walk_crossings_0(walk_3, planes_3);
     var last_6 : f32 = max_element_0(t_12);
-    var _S341 : i32;
+    var _S343 : i32;
     if((t_12.z) == last_6)
     {
-        _S341 = i32(2);
+        _S343 = i32(2);
     }
     else
     {
         if((t_12.y) == last_6)
         {
-            _S341 = i32(1);
+            _S343 = i32(1);
         }
         else
         {
-            _S341 = i32(0);
+            _S343 = i32(0);
         }
     }
-    var axis_5 : u32 = u32(_S341);
+    var axis_5 : u32 = u32(_S343);
     return Hit_x24init_0(max(last_6, walk_3.ray_17.t_min_2), instance_13, voxel_18, u32(2) * axis_5 + (((((walk_3.octant_0) >> (axis_5))) & (u32(1)))));
 }
 
@@ -5581,37 +5638,37 @@ fn hit_in_0( instance_14 : u32,  ray_21 : ptr<function, Ray_0>) -> Hit_0
     {
         return miss_0();
     }
-    var _S342 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_14).grid_0);
-    var _S343 : bool;
+    var _S344 : PackedGrid_0 = Grids_operatorx5Bx5D_get_0(Instances_operatorx5Bx5D_get_0(instance_14).grid_0);
+    var _S345 : bool;
     if(IS_EXACT_0)
     {
-        _S343 = TOP_SHIFT_0 == u32(3);
+        _S345 = TOP_SHIFT_0 == u32(3);
     }
     else
     {
-        _S343 = false;
+        _S345 = false;
     }
     var base_2 : vec3<i32>;
-    if(_S343)
+    if(_S345)
     {
         base_2 = vec3<i32>(i32(0));
     }
     else
     {
-        base_2 = cell_of_0(_S342.origin_4);
+        base_2 = cell_of_0(_S344.origin_4);
     }
-    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S342);
+    var walk_4 : Walk_0 = walk_from_0(base_2, local_4, _S344);
     var voxel_19 : vec3<i32>;
-    var is_found_6 : bool = first_voxel_0(_S342, walk_4, &(voxel_19));
+    var is_found_6 : bool = first_voxel_0(_S344, walk_4, &(voxel_19));
     if(IS_SINGLE_0)
     {
-        _S343 = !IS_EXACT_0;
+        _S345 = !IS_EXACT_0;
     }
     else
     {
-        _S343 = false;
+        _S345 = false;
     }
-    if(_S343)
+    if(_S345)
     {
         (*ray_21) = ray_of_walk_0(walk_4, (*ray_21));
     }
@@ -5642,22 +5699,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_29 : u32) -> InstanceNode_0
 {
-    var _S344 : u32 = u32(2) * index_29;
-    var _S345 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S344);
-    var _S346 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S344 + u32(1));
+    var _S346 : u32 = u32(2) * index_29;
+    var _S347 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S346);
+    var _S348 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S346 + u32(1));
     var node_11 : InstanceNode_0;
-    var _S347 : f32 = (bitcast<f32>((_S345.y)));
-    var _S348 : f32 = (bitcast<f32>((_S345.z)));
-    node_11.min_2[i32(0)] = (bitcast<f32>((_S345.x)));
-    node_11.min_2[i32(1)] = _S347;
-    node_11.min_2[i32(2)] = _S348;
-    node_11.index_28 = _S345.w;
-    var _S349 : f32 = (bitcast<f32>((_S346.y)));
-    var _S350 : f32 = (bitcast<f32>((_S346.z)));
-    node_11.max_2[i32(0)] = (bitcast<f32>((_S346.x)));
-    node_11.max_2[i32(1)] = _S349;
-    node_11.max_2[i32(2)] = _S350;
-    node_11.is_leaf_0 = _S346.w;
+    var _S349 : f32 = (bitcast<f32>((_S347.y)));
+    var _S350 : f32 = (bitcast<f32>((_S347.z)));
+    node_11.min_2[i32(0)] = (bitcast<f32>((_S347.x)));
+    node_11.min_2[i32(1)] = _S349;
+    node_11.min_2[i32(2)] = _S350;
+    node_11.index_28 = _S347.w;
+    var _S351 : f32 = (bitcast<f32>((_S348.y)));
+    var _S352 : f32 = (bitcast<f32>((_S348.z)));
+    node_11.max_2[i32(0)] = (bitcast<f32>((_S348.x)));
+    node_11.max_2[i32(1)] = _S351;
+    node_11.max_2[i32(2)] = _S352;
+    node_11.is_leaf_0 = _S348.w;
     return node_11;
 }
 
@@ -5665,17 +5722,17 @@ fn entry_0( node_12 : InstanceNode_0,  ray_22 : Ray_0,  inverse_3 : vec3<f32>) -
 {
     var low_14 : vec3<f32> = (vector_of_0(node_12.min_2) - ray_22.origin_1) * inverse_3;
     var high_5 : vec3<f32> = (vector_of_0(node_12.max_2) - ray_22.origin_1) * inverse_3;
-    var _S351 : f32 = max(ray_22.t_min_0, max_element_0(min(low_14, high_5)));
-    var _S352 : f32;
-    if(_S351 <= (min(ray_22.t_max_0, min_element_0(max(low_14, high_5)))))
+    var _S353 : f32 = max(ray_22.t_min_0, max_element_0(min(low_14, high_5)));
+    var _S354 : f32;
+    if(_S353 <= (min(ray_22.t_max_0, min_element_0(max(low_14, high_5)))))
     {
-        _S352 = _S351;
+        _S354 = _S353;
     }
     else
     {
-        _S352 = (bitcast<f32>(infinity_bits_0));
+        _S354 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S352;
+    return _S354;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u32) -> Hit_0
@@ -5683,8 +5740,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S353 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S353;
+        var _S355 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S355;
     }
     var ray_23 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -5693,15 +5750,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_23.direction_1)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S354 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S356 : vec3<f32> = select(reciprocal_0(select(ray_23.direction_1, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S355 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S356 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S357 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S358 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S356;
+    var is_leaf_2 : bool = _S358;
     var index_30 : u32 = u32(0);
-    var below_1 : u32 = _S355.index_28;
+    var below_1 : u32 = _S357.index_28;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -5711,16 +5768,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S357 : bool;
+            var _S359 : bool;
             if(is_done_1)
             {
-                _S357 = depth_1 > u32(0);
+                _S359 = depth_1 > u32(0);
             }
             else
             {
-                _S357 = !is_leaf_2;
+                _S359 = !is_leaf_2;
             }
-            if(_S357)
+            if(_S359)
             {
             }
             else
@@ -5731,25 +5788,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S358 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S359 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S360 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S361 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_23.t_max_0);
-                is_leaf_1 = _S359;
+                is_leaf_1 = _S361;
                 index_31 = stack_0[depth_2];
-                below_2 = _S358.index_28;
+                below_2 = _S360.index_28;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S360 : u32 = index_30 + u32(1);
-                var _S361 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S360);
-                var _S362 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S361, ray_23, _S354);
-                var to_right_0 : f32 = entry_0(_S362, ray_23, _S354);
+                var _S362 : u32 = index_30 + u32(1);
+                var _S363 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S362);
+                var _S364 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S363, ray_23, _S356);
+                var to_right_0 : f32 = entry_0(_S364, ray_23, _S356);
                 var is_left_4 : bool = to_left_0 <= to_right_0;
-                var _S363 : f32 = max(to_left_0, to_right_0);
+                var _S365 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S363 < INFINITY_0)
+                if(_S365 < INFINITY_0)
                 {
                     if(is_left_4)
                     {
@@ -5757,51 +5814,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
                     }
                     else
                     {
-                        index_31 = _S360;
+                        index_31 = _S362;
                     }
                     stack_0[depth_1] = index_31;
-                    entries_0[depth_1] = _S363;
+                    entries_0[depth_1] = _S365;
                     index_31 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_31 = depth_1;
                 }
-                var _S364 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S365 : u32;
-                if(is_left_4)
-                {
-                    _S365 = _S360;
-                }
-                else
-                {
-                    _S365 = below_2;
-                }
-                var _S366 : u32;
-                if(is_left_4)
-                {
-                    _S366 = _S361.index_28;
-                }
-                else
-                {
-                    _S366 = _S362.index_28;
-                }
+                var _S366 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
                 var _S367 : u32;
                 if(is_left_4)
                 {
-                    _S367 = _S361.is_leaf_0;
+                    _S367 = _S362;
                 }
                 else
                 {
-                    _S367 = _S362.is_leaf_0;
+                    _S367 = below_2;
                 }
-                var _S368 : bool = _S367 != u32(0);
-                var _S369 : u32 = index_31;
-                is_done_1 = _S364;
-                is_leaf_1 = _S368;
-                index_31 = _S365;
-                below_2 = _S366;
-                depth_1 = _S369;
+                var _S368 : u32;
+                if(is_left_4)
+                {
+                    _S368 = _S363.index_28;
+                }
+                else
+                {
+                    _S368 = _S364.index_28;
+                }
+                var _S369 : u32;
+                if(is_left_4)
+                {
+                    _S369 = _S363.is_leaf_0;
+                }
+                else
+                {
+                    _S369 = _S364.is_leaf_0;
+                }
+                var _S370 : bool = _S369 != u32(0);
+                var _S371 : u32 = index_31;
+                is_done_1 = _S366;
+                is_leaf_1 = _S370;
+                index_31 = _S367;
+                below_2 = _S368;
+                depth_1 = _S371;
             }
             is_leaf_2 = is_leaf_1;
             index_30 = index_31;
@@ -5810,17 +5867,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         {
             break;
         }
-        var _S370 : Hit_0 = hit_in_0(below_2, &(ray_23));
-        var _S371 : Hit_0 = nearest_4;
-        if((_S370.t_0) < (nearest_4.t_0))
+        var _S372 : Hit_0 = hit_in_0(below_2, &(ray_23));
+        var _S373 : Hit_0 = nearest_4;
+        if((_S372.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S370.t_0) == (_S371.t_0))
+            if((_S372.t_0) == (_S373.t_0))
             {
-                is_leaf_1 = (_S370.instance_1) < (nearest_4.instance_1);
+                is_leaf_1 = (_S372.instance_1) < (nearest_4.instance_1);
             }
             else
             {
@@ -5829,12 +5886,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
         }
         if(is_leaf_1)
         {
-            ray_23.t_max_0 = _S370.t_0;
+            ray_23.t_max_0 = _S372.t_0;
             if(is_any_enough_0)
             {
-                return _S370;
+                return _S372;
             }
-            nearest_4 = _S370;
+            nearest_4 = _S372;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -5845,33 +5902,33 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_2 : u3
 
 fn WalkTracer_trace_0( ray_24 : ptr<function, Ray_0>,  is_any_enough_1 : bool) -> Hit_0
 {
-    var _S372 : Hit_0 = visit_0(&((*ray_24)), is_any_enough_1, u32(0));
-    return _S372;
+    var _S374 : Hit_0 = visit_0(&((*ray_24)), is_any_enough_1, u32(0));
+    return _S374;
 }
 
 fn hit_of_ray_0( sampler_1 : Sampler_0,  ray_25 : ptr<function, Ray_0>,  is_shadow_ray_1 : bool,  path_10 : ptr<function, Path_0>,  shadow_inside_3 : ptr<function, Inside_0>,  relocates_3 : ptr<function, bool>,  path_relocates_3 : ptr<function, bool>,  beyond_9 : ptr<function, u32>) -> Hit_0
 {
     (*beyond_9) = u32(4294967295);
-    var _S373 : Hit_0 = WalkTracer_trace_0(&((*ray_25)), is_shadow_ray_1);
-    return _S373;
+    var _S375 : Hit_0 = WalkTracer_trace_0(&((*ray_25)), is_shadow_ray_1);
+    return _S375;
 }
 
 fn goes_on_4( at_10 : ptr<function, Walker_0>,  sample_13 : ptr<function, Sample_0>) -> bool
 {
     var beyond_10 : u32 = u32(4294967295);
-    var _S374 : Ray_0 = (*at_10).ray_10;
-    var _S375 : Path_0 = (*at_10).path_7;
-    var _S376 : Inside_0 = (*at_10).shadow_inside_2;
-    var _S377 : bool = (*at_10).relocates_2;
-    var _S378 : bool = (*at_10).path_relocates_2;
-    var _S379 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S374), false, &(_S375), &(_S376), &(_S377), &(_S378), &(beyond_10));
-    (*at_10).ray_10 = _S374;
-    (*at_10).path_7 = _S375;
-    (*at_10).shadow_inside_2 = _S376;
-    (*at_10).relocates_2 = _S377;
-    (*at_10).path_relocates_2 = _S378;
-    var _S380 : bool = goes_on_from_0(&((*at_10)), _S379, beyond_10, &((*sample_13)));
-    return _S380;
+    var _S376 : Ray_0 = (*at_10).ray_10;
+    var _S377 : Path_0 = (*at_10).path_7;
+    var _S378 : Inside_0 = (*at_10).shadow_inside_2;
+    var _S379 : bool = (*at_10).relocates_2;
+    var _S380 : bool = (*at_10).path_relocates_2;
+    var _S381 : Hit_0 = hit_of_ray_0((*at_10).path_7.sampler_0, &(_S376), false, &(_S377), &(_S378), &(_S379), &(_S380), &(beyond_10));
+    (*at_10).ray_10 = _S376;
+    (*at_10).path_7 = _S377;
+    (*at_10).shadow_inside_2 = _S378;
+    (*at_10).relocates_2 = _S379;
+    (*at_10).path_relocates_2 = _S380;
+    var _S382 : bool = goes_on_from_0(&((*at_10)), _S381, beyond_10, &((*sample_13)));
+    return _S382;
 }
 
 fn Walker_arrives_0( this_49 : ptr<function, Walker_0>,  hit_15 : Hit_0,  beyond_11 : u32,  light_9 : ptr<function, vec3<f32>>) -> bool
@@ -5890,48 +5947,48 @@ fn place_of_found_0( place_6 : u32) -> u32
 
 fn count_arrival_0( ray_26 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S381 : i32;
+    var _S383 : i32;
     if(has_arrived_0)
     {
-        _S381 = i32(65537);
+        _S383 = i32(65537);
     }
     else
     {
-        _S381 = i32(1);
+        _S383 = i32(1);
     }
-    var _S382 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_26))]), u32(_S381));
+    var _S384 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_26))]), u32(_S383));
     return;
 }
 
 fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample_0>) -> bool
 {
-    var _S383 : Hit_0 = miss_0();
+    var _S385 : Hit_0 = miss_0();
     var beyond_12 : u32 = u32(4294967295);
-    var _S384 : bool = (*at_11).is_shadow_ray_0;
+    var _S386 : bool = (*at_11).is_shadow_ray_0;
     var hit_16 : Hit_0;
     if(!(*at_11).is_at_cell_0)
     {
-        var _S385 : Ray_0 = (*at_11).ray_10;
-        var _S386 : Path_0 = (*at_11).path_7;
-        var _S387 : Inside_0 = (*at_11).shadow_inside_2;
-        var _S388 : bool = (*at_11).relocates_2;
-        var _S389 : bool = (*at_11).path_relocates_2;
-        var _S390 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S385), _S384, &(_S386), &(_S387), &(_S388), &(_S389), &(beyond_12));
-        (*at_11).ray_10 = _S385;
-        (*at_11).path_7 = _S386;
-        (*at_11).shadow_inside_2 = _S387;
-        (*at_11).relocates_2 = _S388;
-        (*at_11).path_relocates_2 = _S389;
-        if(_S384)
+        var _S387 : Ray_0 = (*at_11).ray_10;
+        var _S388 : Path_0 = (*at_11).path_7;
+        var _S389 : Inside_0 = (*at_11).shadow_inside_2;
+        var _S390 : bool = (*at_11).relocates_2;
+        var _S391 : bool = (*at_11).path_relocates_2;
+        var _S392 : Hit_0 = hit_of_ray_0((*at_11).path_7.sampler_0, &(_S387), _S386, &(_S388), &(_S389), &(_S390), &(_S391), &(beyond_12));
+        (*at_11).ray_10 = _S387;
+        (*at_11).path_7 = _S388;
+        (*at_11).shadow_inside_2 = _S389;
+        (*at_11).relocates_2 = _S390;
+        (*at_11).path_relocates_2 = _S391;
+        if(_S386)
         {
             var to_light_0 : Ray_0 = (*at_11).ray_10;
-            var _S391 : vec3<f32> = (*sample_14).light_6;
-            var _S392 : bool = Walker_arrives_0(&((*at_11)), _S390, beyond_12, &(_S391));
-            (*sample_14).light_6 = _S391;
-            (*at_11).is_shadow_ray_0 = _S392;
+            var _S393 : vec3<f32> = (*sample_14).light_6;
+            var _S394 : bool = Walker_arrives_0(&((*at_11)), _S392, beyond_12, &(_S393));
+            (*sample_14).light_6 = _S393;
+            (*at_11).is_shadow_ray_0 = _S394;
             if((*at_11).counts_0)
             {
-                count_arrival_0(to_light_0, Hit_is_miss_0(_S390));
+                count_arrival_0(to_light_0, Hit_is_miss_0(_S392));
             }
             (*at_11).counts_0 = false;
             if((*at_11).is_shadow_ray_0)
@@ -5941,14 +5998,14 @@ fn goes_on_5( at_11 : ptr<function, Walker_0>,  sample_14 : ptr<function, Sample
             (*at_11).ray_10 = ray_from_0((*at_11).ray_10.origin_1, (*at_11).direction_25);
             return (any((((*at_11).direction_25) != vec3<f32>(0.0f))));
         }
-        hit_16 = _S390;
+        hit_16 = _S392;
     }
     else
     {
-        hit_16 = _S383;
+        hit_16 = _S385;
     }
-    var _S393 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
-    return _S393;
+    var _S395 : bool = goes_on_from_1(&((*at_11)), hit_16, beyond_12, &((*sample_14)));
+    return _S395;
 }
 
 fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
@@ -5958,11 +6015,11 @@ fn PathTracingOf_jitter_0( sampler_2 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_15 : u32) -> Sampler_0
 {
-    var _S394 : Sampler_0;
-    _S394.seed_1 = seed_3;
-    _S394.pixel_0 = pixel_1;
-    _S394.sample_0 = sample_15;
-    return _S394;
+    var _S396 : Sampler_0;
+    _S396.seed_1 = seed_3;
+    _S396.pixel_0 = pixel_1;
+    _S396.sample_0 = sample_15;
+    return _S396;
 }
 
 struct Item_0
@@ -5977,14 +6034,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_13 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_4 : Sampler_0) -> Item_0
 {
-    var _S395 : Item_0;
-    _S395.traces_0 = traces_1;
-    _S395.kind_2 = kind_3;
-    _S395.at_12 = at_13;
-    _S395.place_7 = place_8;
-    _S395.slot_0 = slot_1;
-    _S395.sampler_3 = sampler_4;
-    return _S395;
+    var _S397 : Item_0;
+    _S397.traces_0 = traces_1;
+    _S397.kind_2 = kind_3;
+    _S397.at_12 = at_13;
+    _S397.place_7 = place_8;
+    _S397.slot_0 = slot_1;
+    _S397.sampler_3 = sampler_4;
+    return _S397;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -6038,58 +6095,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S396 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S396;
+        var _S398 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S398;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S397 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S397);
-    at_14[i32(0)] = at_14[i32(0)] + (((_S397 + real_time_0.number_0) & (u32(1))));
+    var _S399 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_14 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S399);
+    at_14[i32(0)] = at_14[i32(0)] + (((_S399 + real_time_0.number_0) & (u32(1))));
     return at_14;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S398 : vec2<u32> = vec2<u32>(u32(5));
-    var _S399 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S398 - vec2<u32>(u32(1))) / _S398;
-    return _S399;
+    var _S400 : vec2<u32> = vec2<u32>(u32(5));
+    var _S401 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S400 - vec2<u32>(u32(1))) / _S400;
+    return _S401;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S400 : u32 = square_1 % columns_1;
-    var _S401 : u32 = square_1 / columns_1;
-    var at_15 : vec2<u32> = vec2<u32>(_S400, _S401);
-    var _S402 : vec2<u32> = vec2<u32>(u32(5));
-    var _S403 : vec2<u32> = at_15 * _S402;
-    var _S404 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S402;
-    return min(_S403 + _S404, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S402 : u32 = square_1 % columns_1;
+    var _S403 : u32 = square_1 / columns_1;
+    var at_15 : vec2<u32> = vec2<u32>(_S402, _S403);
+    var _S404 : vec2<u32> = vec2<u32>(u32(5));
+    var _S405 : vec2<u32> = at_15 * _S404;
+    var _S406 : vec2<u32> = pcg4d_0(vec4<u32>(at_15, number_3, u32(3266489909))).xy % _S404;
+    return min(_S405 + _S406, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_16 : vec2<i32>) -> bool
 {
-    var _S405 : bool;
+    var _S407 : bool;
     if((all((at_16 >= vec2<i32>(i32(0))))))
     {
-        _S405 = (at_16.x) < i32(params_0.width_0);
+        _S407 = (at_16.x) < i32(params_0.width_0);
     }
     else
     {
-        _S405 = false;
+        _S407 = false;
     }
-    if(_S405)
+    if(_S407)
     {
-        _S405 = (at_16.y) < i32(params_0.height_0);
+        _S407 = (at_16.y) < i32(params_0.height_0);
     }
     else
     {
-        _S405 = false;
+        _S407 = false;
     }
-    return _S405;
+    return _S407;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -6111,23 +6168,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_7 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S406 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S407 : bool = number_4 < _S406;
-        item_0.traces_0 = _S407;
-        if(_S407)
+        var _S408 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S409 : bool = number_4 < _S408;
+        item_0.traces_0 = _S409;
+        if(_S409)
         {
-            var _S408 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S408;
+            var _S410 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S410;
             item_0.slot_0 = real_time_0.pixels_0 + count_7 + number_4;
             var rank_5 : u32;
             item_0.sampler_3 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_1(item_0, &(rank_5))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S409 : u32 = number_4 - cells_2;
-    var _S410 : vec2<u32> = pixel_that_traces_0(_S409);
-    item_0.at_12 = _S410;
-    var square_3 : u32 = _S409 - pixels_1;
+    var _S411 : u32 = number_4 - cells_2;
+    var _S412 : vec2<u32> = pixel_that_traces_0(_S411);
+    item_0.at_12 = _S412;
+    var square_3 : u32 = _S411 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -6156,133 +6213,133 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S411 : u32;
+    var _S413 : u32;
     if(is_again_0)
     {
-        _S411 = u32(3);
+        _S413 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S411 = u32(2);
+            _S413 = u32(2);
         }
         else
         {
-            _S411 = u32(1);
+            _S413 = u32(1);
         }
     }
-    item_0.kind_2 = _S411;
+    item_0.kind_2 = _S413;
     if(is_square_0)
     {
-        var _S412 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_12 = _S412;
+        var _S414 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_12 = _S414;
     }
-    var _S413 : bool;
+    var _S415 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S411 = real_time_0.again_0;
+            _S413 = real_time_0.again_0;
         }
         else
         {
-            _S411 = count_7;
+            _S413 = count_7;
         }
-        _S413 = square_4 < _S411;
+        _S415 = square_4 < _S413;
     }
     else
     {
-        _S413 = is_inside_0(vec2<i32>(item_0.at_12));
+        _S415 = is_inside_0(vec2<i32>(item_0.at_12));
     }
-    item_0.traces_0 = _S413;
+    item_0.traces_0 = _S415;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S411 = u32(2);
+            _S413 = u32(2);
         }
         else
         {
-            _S411 = (frame_0 & (u32(1)));
+            _S413 = (frame_0 & (u32(1)));
         }
-        _S411 = place_of_square_0(_S411, square_4);
+        _S413 = place_of_square_0(_S413, square_4);
     }
     else
     {
-        _S411 = index_of_0(item_0.at_12);
+        _S413 = index_of_0(item_0.at_12);
     }
-    item_0.place_7 = _S411;
+    item_0.place_7 = _S413;
     if(is_square_0)
     {
-        _S411 = real_time_0.pixels_0 + square_4;
+        _S413 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S411 = item_0.place_7;
+        _S413 = item_0.place_7;
     }
-    item_0.slot_0 = _S411;
-    var _S414 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S413;
+    var _S416 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S411 = u32(3266489909);
+        _S413 = u32(3266489909);
     }
     else
     {
-        _S411 = u32(2654435769);
+        _S413 = u32(2654435769);
     }
-    item_0.sampler_3 = Sampler_x24init_0((_S414 ^ (_S411)), index_of_0(item_0.at_12), frame_0);
+    item_0.sampler_3 = Sampler_x24init_0((_S416 ^ (_S413)), index_of_0(item_0.at_12), frame_0);
     return item_0;
 }
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_2 : u32,  counts_1 : bool)
 {
-    var _S415 : bool;
+    var _S417 : bool;
     if(is_of_pixel_0)
     {
-        _S415 = has_0(u32(4096));
+        _S417 = has_0(u32(4096));
     }
     else
     {
-        _S415 = false;
+        _S417 = false;
     }
-    weighs_candidates_0 = _S415;
+    weighs_candidates_0 = _S417;
     counts_arrivals_0 = false;
-    if(_S415)
+    if(_S417)
     {
-        _S415 = counts_1;
+        _S417 = counts_1;
     }
     else
     {
-        _S415 = false;
+        _S417 = false;
     }
-    if(_S415)
+    if(_S417)
     {
         var stride_1 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S416 : u32 = pixel_2 / stride_1;
-        var _S417 : u32 = (pixel_2 + u32(7) * _S416 + real_time_0.number_0) % stride_1;
-        counts_arrivals_0 = _S417 == u32(0);
+        var _S418 : u32 = pixel_2 / stride_1;
+        var _S419 : u32 = (pixel_2 + u32(7) * _S418 + real_time_0.number_0) % stride_1;
+        counts_arrivals_0 = _S419 == u32(0);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_10 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_9 : vec3<f32>,  instance_15 : u32) -> Sample_0
 {
-    var _S418 : Sample_0;
-    _S418.direct_0 = direct_1;
-    _S418.light_6 = light_10;
-    _S418.is_shown_0 = is_shown_1;
-    _S418.albedo_0 = albedo_1;
-    _S418.normal_4 = normal_7;
-    _S418.place_3 = place_9;
-    _S418.instance_8 = instance_15;
-    return _S418;
+    var _S420 : Sample_0;
+    _S420.direct_0 = direct_1;
+    _S420.light_6 = light_10;
+    _S420.is_shown_0 = is_shown_1;
+    _S420.albedo_0 = albedo_1;
+    _S420.normal_4 = normal_7;
+    _S420.place_3 = place_9;
+    _S420.instance_8 = instance_15;
+    return _S420;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S419 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S419, _S419, false, _S419, _S419, _S419, u32(4294967294));
+    var _S421 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S421, _S421, false, _S421, _S421, _S421, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_52 : Item_0) -> bool
@@ -6292,28 +6349,28 @@ fn Item_is_cell_0( this_52 : Item_0) -> bool
 
 fn Key_voxel_0( this_53 : Key_0,  code_3 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S420 : u32 = Key_level_0(this_53);
-    var bits_4 : u32 = ((u32(1) << (_S420))) - u32(1);
+    var _S422 : u32 = Key_level_0(this_53);
+    var bits_4 : u32 = ((u32(1) << (_S422))) - u32(1);
     var place_10 : u32 = ((code_3 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_53)))))));
-    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S420)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S420))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S420)))) & (bits_4))));
+    return (((this_53.cube_0) << (vec3<u32>(u32(i32(_S422)))))) + vec3<i32>(i32((place_10 & (bits_4))), i32((((place_10 >> (_S422))) & (bits_4))), i32((((place_10 >> ((u32(2) * _S422)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_3 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_4 : u32,  beta_1 : vec3<f32>,  pdf_12 : f32,  normal_8 : vec3<f32>,  selection_4 : Selection_0,  passed_t_1 : f32,  inside_6 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S421 : Path_0;
-    _S421.sampler_0 = sampler_5;
-    _S421.bounce_0 = bounce_3;
-    _S421.event_0 = event_2;
-    _S421.kinds_0 = kinds_1;
-    _S421.scattered_0 = scattered_4;
-    _S421.beta_0 = beta_1;
-    _S421.pdf_1 = pdf_12;
-    _S421.normal_0 = normal_8;
-    _S421.selection_0 = selection_4;
-    _S421.passed_t_0 = passed_t_1;
-    _S421.inside_0 = inside_6;
-    _S421.is_clipped_0 = is_clipped_1;
-    return _S421;
+    var _S423 : Path_0;
+    _S423.sampler_0 = sampler_5;
+    _S423.bounce_0 = bounce_3;
+    _S423.event_0 = event_2;
+    _S423.kinds_0 = kinds_1;
+    _S423.scattered_0 = scattered_4;
+    _S423.beta_0 = beta_1;
+    _S423.pdf_1 = pdf_12;
+    _S423.normal_0 = normal_8;
+    _S423.selection_0 = selection_4;
+    _S423.passed_t_0 = passed_t_1;
+    _S423.inside_0 = inside_6;
+    _S423.is_clipped_0 = is_clipped_1;
+    return _S423;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -6323,9 +6380,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 : ptr<function, vec3<f32>>)
 {
-    var _S422 : f32 = z_1.z;
+    var _S424 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S422 < 0.0f)
+    if(_S424 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -6333,12 +6390,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_10 : ptr<function, vec3<f32>>,  y_5 :
     {
         sign_0 = 1.0f;
     }
-    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S422);
-    var _S423 : f32 = z_1.x;
-    var _S424 : f32 = z_1.y;
-    var b_6 : f32 = _S423 * _S424 * a_6;
-    (*x_10) = vec3<f32>(1.0f + sign_0 * _S423 * _S423 * a_6, sign_0 * b_6, - sign_0 * _S423);
-    (*y_5) = vec3<f32>(b_6, sign_0 + _S424 * _S424 * a_6, - _S424);
+    var a_6 : f32 = divide_0(-1.0f, sign_0 + _S424);
+    var _S425 : f32 = z_1.x;
+    var _S426 : f32 = z_1.y;
+    var b_6 : f32 = _S425 * _S426 * a_6;
+    (*x_10) = vec3<f32>(1.0f + sign_0 * _S425 * _S425 * a_6, sign_0 * b_6, - sign_0 * _S425);
+    (*y_5) = vec3<f32>(b_6, sign_0 + _S426 * _S426 * a_6, - _S426);
     return;
 }
 
@@ -6349,43 +6406,44 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_13 
     var y_6 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_11), &(y_6));
     var local_5 : vec3<f32> = cosine_hemisphere_0(u_19.z, u_19.w);
-    var _S425 : f32 = local_5.z;
-    (*pdf_13) = cosine_hemisphere_pdf_0(_S425);
-    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S425);
+    var _S427 : f32 = local_5.z;
+    (*pdf_13) = cosine_hemisphere_pdf_0(_S427);
+    return x_11 * vec3<f32>(local_5.x) + y_6 * vec3<f32>(local_5.y) + normal_9 * vec3<f32>(_S427);
 }
 
 fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_10 : vec3<f32>,  face_10 : u32,  instance_16 : u32) -> Surface_0
 {
-    var _S426 : Surface_0;
-    _S426.origin_3 = origin_13;
-    _S426.normal_2 = normal_10;
-    _S426.face_1 = face_10;
-    _S426.instance_3 = instance_16;
-    return _S426;
+    var _S428 : Surface_0;
+    _S428.origin_3 = origin_13;
+    _S428.normal_2 = normal_10;
+    _S428.face_1 = face_10;
+    _S428.instance_3 = instance_16;
+    return _S428;
 }
 
-fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool,  counts_2 : bool,  sees_mover_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_11 : Path_0,  ray_27 : Ray_0,  is_shadow_ray_2 : bool,  light_11 : vec3<f32>,  direction_28 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_4 : Inside_0,  boundaries_1 : u32,  relocates_4 : bool,  path_relocates_4 : bool,  camera_ray_1 : Ray_0,  way_6 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_2 : u32,  is_at_cell_1 : bool,  counts_2 : bool,  sees_mover_1 : bool,  by_chance_2 : bool) -> Walker_0
 {
-    var _S427 : Walker_0;
-    _S427.path_7 = path_11;
-    _S427.ray_10 = ray_27;
-    _S427.is_shadow_ray_0 = is_shadow_ray_2;
-    _S427.light_5 = light_11;
-    _S427.direction_25 = direction_28;
-    _S427.path_origin_2 = path_origin_3;
-    _S427.shadow_inside_2 = shadow_inside_4;
-    _S427.boundaries_0 = boundaries_1;
-    _S427.relocates_2 = relocates_4;
-    _S427.path_relocates_2 = path_relocates_4;
-    _S427.camera_ray_0 = camera_ray_1;
-    _S427.way_2 = way_6;
-    _S427.has_shown_0 = has_shown_1;
-    _S427.asks_cache_0 = asks_cache_1;
-    _S427.life_0 = life_2;
-    _S427.is_at_cell_0 = is_at_cell_1;
-    _S427.counts_0 = counts_2;
-    _S427.sees_mover_0 = sees_mover_1;
-    return _S427;
+    var _S429 : Walker_0;
+    _S429.path_7 = path_11;
+    _S429.ray_10 = ray_27;
+    _S429.is_shadow_ray_0 = is_shadow_ray_2;
+    _S429.light_5 = light_11;
+    _S429.direction_25 = direction_28;
+    _S429.path_origin_2 = path_origin_3;
+    _S429.shadow_inside_2 = shadow_inside_4;
+    _S429.boundaries_0 = boundaries_1;
+    _S429.relocates_2 = relocates_4;
+    _S429.path_relocates_2 = path_relocates_4;
+    _S429.camera_ray_0 = camera_ray_1;
+    _S429.way_2 = way_6;
+    _S429.has_shown_0 = has_shown_1;
+    _S429.asks_cache_0 = asks_cache_1;
+    _S429.life_0 = life_2;
+    _S429.is_at_cell_0 = is_at_cell_1;
+    _S429.counts_0 = counts_2;
+    _S429.sees_mover_0 = sees_mover_1;
+    _S429.by_chance_1 = by_chance_2;
+    return _S429;
 }
 
 fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
@@ -6393,7 +6451,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     var face_11 : u32 = ((key_3.face_and_level_0) & (u32(7)));
     var axis_6 : u32 = (face_11 >> (u32(1)));
     var u_20 : vec4<f32> = Sampler_independent_0(sampler_8, u32(0));
-    var _S428 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S430 : vec3<f32> = vec3<f32>(Key_voxel_0(key_3, (rank_6 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_1 : vec3<f32>;
     if(axis_6 == u32(0))
     {
@@ -6410,13 +6468,13 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
             on_face_1 = vec3<f32>(u_20.x, u_20.y, 0.0f);
         }
     }
-    var _S429 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_10);
-    var origin_14 : vec3<f32> = Transform_point_0(_S429.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S429.grid_from_world_0.translation_0), _S428, face_11, _S428 + on_face_1));
-    var normal_11 : vec3<f32> = world_normal_0(_S429, face_11);
+    var _S431 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_3.instance_10);
+    var origin_14 : vec3<f32> = Transform_point_0(_S431.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S431.grid_from_world_0.translation_0), _S430, face_11, _S430 + on_face_1));
+    var normal_11 : vec3<f32> = world_normal_0(_S431, face_11);
     var path_12 : Path_0 = path_from_0(sampler_8);
-    var _S430 : f32 = path_12.pdf_1;
-    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S430));
-    path_12.pdf_1 = _S430;
+    var _S432 : f32 = path_12.pdf_1;
+    var direction_29 : vec3<f32> = direction_from_cell_0(sampler_8, normal_11, &(_S432));
+    path_12.pdf_1 = _S432;
     var receiver_21 : Receiver_0 = Receiver_x24init_0(origin_14, normal_11);
     path_12.selection_0 = Lights_selection_0(receiver_21);
     path_12.normal_0 = normal_11;
@@ -6429,7 +6487,7 @@ fn at_cell_0( key_3 : Key_0,  rank_6 : u32,  sampler_8 : Sampler_0) -> Walker_0
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_12, receiver_21, surface_5, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_28 : Ray_0 = ray_from_0(origin_14, direction_29);
-    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_14, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true, false, false);
+    return Walker_x24init_0(path_12, ray_28, false, vec3<f32>(0.0f), direction_29, origin_14, in_air_0(), u32(0), false, false, ray_28, 0.0f, true, true, max((rank_6 >> (u32(20))), u32(1)) - u32(1), true, false, false, false);
 }
 
 struct CameraFrame_0
@@ -6446,16 +6504,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S431 : CameraFrame_0;
-    _S431.lens_1 = lens_2;
-    _S431.eye_2 = eye_3;
-    _S431.corner_2 = corner_3;
-    _S431.pixel_x_1 = pixel_x_2;
-    _S431.pixel_y_1 = pixel_y_2;
-    _S431.lens_x_1 = lens_x_2;
-    _S431.lens_y_1 = lens_y_2;
-    _S431.blades_1 = blades_2;
-    return _S431;
+    var _S433 : CameraFrame_0;
+    _S433.lens_1 = lens_2;
+    _S433.eye_2 = eye_3;
+    _S433.corner_2 = corner_3;
+    _S433.pixel_x_1 = pixel_x_2;
+    _S433.pixel_y_1 = pixel_y_2;
+    _S433.lens_x_1 = lens_x_2;
+    _S433.lens_y_1 = lens_y_2;
+    _S433.blades_1 = blades_2;
+    return _S433;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -6475,12 +6533,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S432 : Perspective_0;
-    _S432.eye_4 = eye_5;
-    _S432.corner_4 = corner_5;
-    _S432.pixel_x_3 = pixel_x_4;
-    _S432.pixel_y_3 = pixel_y_4;
-    return _S432;
+    var _S434 : Perspective_0;
+    _S434.eye_4 = eye_5;
+    _S434.corner_4 = corner_5;
+    _S434.pixel_x_3 = pixel_x_4;
+    _S434.pixel_y_3 = pixel_y_4;
+    return _S434;
 }
 
 struct Axes_0
@@ -6492,11 +6550,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_5 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S433 : Axes_0;
-    _S433.forward_0 = forward_1;
-    _S433.right_4 = right_5;
-    _S433.up_0 = up_1;
-    return _S433;
+    var _S435 : Axes_0;
+    _S435.forward_0 = forward_1;
+    _S435.right_4 = right_5;
+    _S435.up_0 = up_1;
+    return _S435;
 }
 
 struct ThinLens_0
@@ -6509,28 +6567,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S434 : ThinLens_0;
-    _S434.perspective_0 = perspective_1;
-    _S434.lens_x_3 = lens_x_4;
-    _S434.lens_y_3 = lens_y_4;
-    _S434.blades_3 = blades_4;
-    return _S434;
+    var _S436 : ThinLens_0;
+    _S436.perspective_0 = perspective_1;
+    _S436.lens_x_3 = lens_x_4;
+    _S436.lens_y_3 = lens_y_4;
+    _S436.blades_3 = blades_4;
+    return _S436;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_7 : f32 = 2.0f * square_5.x - 1.0f;
     var b_7 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S435 : bool;
+    var _S437 : bool;
     if(a_7 == 0.0f)
     {
-        _S435 = b_7 == 0.0f;
+        _S437 = b_7 == 0.0f;
     }
     else
     {
-        _S435 = false;
+        _S437 = false;
     }
-    if(_S435)
+    if(_S437)
     {
         return vec2<f32>(0.0f);
     }
@@ -6557,7 +6615,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S436 : f32 = abs(radius_4);
+    var _S438 : f32 = abs(radius_4);
     if(turns_3 < 0.0f)
     {
         radius_4 = turns_3 + 1.0f;
@@ -6566,7 +6624,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_4 = turns_3;
     }
-    return vec2<f32>(_S436, radius_4);
+    return vec2<f32>(_S438, radius_4);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -6584,9 +6642,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_8 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_8));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_8));
-    var _S437 : f32 = from_0.y;
-    var _S438 : f32 = from_0.x;
-    return vec2<f32>(_S437 + (to_0.y - _S437) * share_8, _S438 + (to_0.x - _S438) * share_8) * vec2<f32>(radius_5);
+    var _S439 : f32 = from_0.y;
+    var _S440 : f32 = from_0.x;
+    return vec2<f32>(_S439 + (to_0.y - _S439) * share_8, _S440 + (to_0.x - _S440) * share_8) * vec2<f32>(radius_5);
 }
 
 fn ThinLens_ray_0( this_54 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -6606,12 +6664,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S439 : Orthographic_0;
-    _S439.corner_6 = corner_7;
-    _S439.pixel_x_5 = pixel_x_6;
-    _S439.pixel_y_5 = pixel_y_6;
-    _S439.forward_2 = forward_3;
-    return _S439;
+    var _S441 : Orthographic_0;
+    _S441.corner_6 = corner_7;
+    _S441.pixel_x_5 = pixel_x_6;
+    _S441.pixel_y_5 = pixel_y_6;
+    _S441.forward_2 = forward_3;
+    return _S441;
 }
 
 fn Orthographic_ray_0( this_55 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -6629,12 +6687,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S440 : Panorama_0;
-    _S440.eye_6 = eye_7;
-    _S440.axes_1 = axes_2;
-    _S440.inverse_size_0 = inverse_size_1;
-    _S440.half_eye_distance_0 = half_eye_distance_1;
-    return _S440;
+    var _S442 : Panorama_0;
+    _S442.eye_6 = eye_7;
+    _S442.axes_1 = axes_2;
+    _S442.inverse_size_0 = inverse_size_1;
+    _S442.half_eye_distance_0 = half_eye_distance_1;
+    return _S442;
 }
 
 fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -6661,9 +6719,9 @@ fn Panorama_ray_0( this_56 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_56.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S441 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S442 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S442 - this_56.axes_1.right_4 * _S441) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S441 + this_56.axes_1.right_4 * _S442) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S443 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S444 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_56.eye_6 + (this_56.axes_1.forward_0 * _S444 - this_56.axes_1.right_4 * _S443) * vec3<f32>(side_4), normalize_vector_0((vec3<f32>(0) - this_56.axes_1.forward_0 * _S443 + this_56.axes_1.right_4 * _S444) * vec3<f32>(height_2.x) + this_56.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -6676,12 +6734,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S443 : Fisheye_0;
-    _S443.eye_8 = eye_9;
-    _S443.axes_3 = axes_4;
-    _S443.middle_1 = middle_2;
-    _S443.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S443;
+    var _S445 : Fisheye_0;
+    _S445.eye_8 = eye_9;
+    _S445.axes_3 = axes_4;
+    _S445.middle_1 = middle_2;
+    _S445.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S445;
 }
 
 fn Fisheye_ray_0( this_57 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -6744,29 +6802,29 @@ fn camera_ray_2( pixel_3 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_9 : Sa
 
 fn Item_asks_cache_0( this_60 : Item_0) -> bool
 {
-    var _S444 : bool;
+    var _S446 : bool;
     if(Item_is_cell_0(this_60))
     {
-        _S444 = true;
+        _S446 = true;
     }
     else
     {
         if((this_60.kind_2) == u32(1))
         {
-            _S444 = has_0(u32(1));
+            _S446 = has_0(u32(1));
         }
         else
         {
-            _S444 = false;
+            _S446 = false;
         }
     }
-    return _S444;
+    return _S446;
 }
 
 fn at_camera_0( ray_29 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S445 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S445, _S445, _S445, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false, false, false);
+    var _S447 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_29, false, _S447, _S447, _S447, in_air_0(), u32(0), true, true, ray_29, 0.0f, false, asks_cache_2, u32(10), false, false, false, false);
 }
 
 fn FrameParams_camera_0() -> CameraFrame_0
@@ -6780,10 +6838,10 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     {
         var rank_7 : u32;
         var key_4 : Key_0 = Item_key_0(this_61, &(rank_7));
-        var _S446 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
-        return _S446;
+        var _S448 : Walker_0 = at_cell_0(key_4, rank_7, this_61.sampler_3);
+        return _S448;
     }
-    var _S447 : CameraFrame_0 = FrameParams_camera_0();
+    var _S449 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_61.kind_2) == u32(3))
     {
@@ -6791,15 +6849,15 @@ fn Item_start_0( this_61 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S447;
+        camera_1 = _S449;
     }
     return at_camera_0(camera_ray_2(this_61.at_12, camera_1, this_61.sampler_3), this_61.sampler_3, Item_asks_cache_0(this_61));
 }
 
 fn packed_normal_0( normal_12 : vec3<f32>) -> u32
 {
-    var _S448 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
-    return (((((u32(_S448.x) & (u32(1023)))) | (((((u32(_S448.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S448.z) & (u32(1023)))) << (u32(20))))));
+    var _S450 : vec3<i32> = vec3<i32>(normal_steps_0(normal_12));
+    return (((((u32(_S450.x) & (u32(1023)))) | (((((u32(_S450.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S450.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
@@ -6810,17 +6868,17 @@ fn set_scratch_row_0( row_13 : u32,  index_32 : u32,  value_3 : vec2<u32>)
 
 fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 {
-    var _S449 : u32 = packed_normal_0(sample_16.normal_4);
-    var _S450 : u32;
+    var _S451 : u32 = packed_normal_0(sample_16.normal_4);
+    var _S452 : u32;
     if(sample_16.is_shown_0)
     {
-        _S450 = u32(1073741824);
+        _S452 = u32(1073741824);
     }
     else
     {
-        _S450 = u32(0);
+        _S452 = u32(0);
     }
-    var normal_13 : u32 = (_S449 | (_S450));
+    var normal_13 : u32 = (_S451 | (_S452));
     set_scratch_row_0(u32(0), index_33, (bitcast<vec2<u32>>((sample_16.light_6.xy))));
     set_scratch_row_0(u32(1), index_33, vec2<u32>((bitcast<u32>((sample_16.light_6.z))), sample_16.instance_8));
     set_scratch_row_0(u32(2), index_33, (bitcast<vec2<u32>>((sample_16.direct_0.xy))));
@@ -6833,16 +6891,16 @@ fn store_sample_0( index_33 : u32,  sample_16 : Sample_0)
 
 fn light_on_0( sample_17 : Sample_0) -> f32
 {
-    var _S451 : f32;
+    var _S453 : f32;
     if(sample_17.is_shown_0)
     {
-        _S451 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
+        _S453 = luminance_0(sample_17.light_6) / (luminance_0(sample_17.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S451 = 0.0f;
+        _S453 = 0.0f;
     }
-    return _S451;
+    return _S453;
 }
 
 fn Item_end_0( this_62 : Item_0,  sample_18 : Sample_0)
@@ -6874,8 +6932,8 @@ fn follow_0( item_1 : Item_0,  counts_3 : bool)
     var at_18 : Walker_0;
     if(item_1.traces_0)
     {
-        var _S452 : Walker_0 = Item_start_0(item_1);
-        at_18 = _S452;
+        var _S454 : Walker_0 = Item_start_0(item_1);
+        at_18 = _S454;
     }
     var is_under_way_0 : bool = item_1.traces_0;
     var is_shadow_turn_0 : bool = true;
@@ -6891,8 +6949,8 @@ fn follow_0( item_1 : Item_0,  counts_3 : bool)
         var is_shadow_turn_1 : bool = !is_shadow_turn_0;
         if((at_18.is_shadow_ray_0) == is_shadow_turn_1)
         {
-            var _S453 : bool = goes_on_5(&(at_18), &(sample_19));
-            is_under_way_0 = _S453;
+            var _S455 : bool = goes_on_5(&(at_18), &(sample_19));
+            is_under_way_0 = _S455;
         }
         is_shadow_turn_0 = is_shadow_turn_1;
     }
@@ -6911,8 +6969,8 @@ fn trace(@builtin(global_invocation_id) id_0 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S454 : Item_0 = item_of_0(id_0.x);
-    follow_0(_S454, true);
+    var _S456 : Item_0 = item_of_0(id_0.x);
+    follow_0(_S456, true);
     return;
 }
 
@@ -6924,13 +6982,13 @@ fn trace_left(@builtin(global_invocation_id) id_1 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S455 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
-    var number_5 : u32 = _S455 + id_1.x;
-    var _S456 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
-    if(number_5 < _S456)
+    var _S457 : u32 = atomicLoad(&(cell_keys_0[u32(13)]));
+    var number_5 : u32 = _S457 + id_1.x;
+    var _S458 : u32 = atomicLoad(&(cell_keys_0[u32(9)]));
+    if(number_5 < _S458)
     {
-        var _S457 : Item_0 = item_of_0(rest_0[number_5]);
-        follow_0(_S457, false);
+        var _S459 : Item_0 = item_of_0(rest_0[number_5]);
+        follow_0(_S459, false);
     }
     return;
 }
@@ -6943,8 +7001,8 @@ fn trace_before(@builtin(global_invocation_id) id_2 : vec3<u32>)
     counts_arrivals_0 = false;
     first_candidates_0 = u32(1);
     ends_here_0 = false;
-    var _S458 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
-    follow_0(_S458, false);
+    var _S460 : Item_0 = item_of_0(real_time_0.cells_0 + threads_that_trace_0() + real_time_0.squares_0 + id_2.x);
+    follow_0(_S460, false);
     return;
 }
 
@@ -6958,18 +7016,18 @@ struct Lit_0
 
 fn Lit_x24init_0( paths_1 : f32,  light_13 : vec3<f32>,  shaded_1 : vec3<f32>,  moments_1 : vec3<f32>) -> Lit_0
 {
-    var _S459 : Lit_0;
-    _S459.paths_0 = paths_1;
-    _S459.light_12 = light_13;
-    _S459.shaded_0 = shaded_1;
-    _S459.moments_0 = moments_1;
-    return _S459;
+    var _S461 : Lit_0;
+    _S461.paths_0 = paths_1;
+    _S461.light_12 = light_13;
+    _S461.shaded_0 = shaded_1;
+    _S461.moments_0 = moments_1;
+    return _S461;
 }
 
 fn not_lit_0() -> Lit_0
 {
-    var _S460 : vec3<f32> = vec3<f32>(0.0f);
-    return Lit_x24init_0(0.0f, _S460, _S460, _S460);
+    var _S462 : vec3<f32> = vec3<f32>(0.0f);
+    return Lit_x24init_0(0.0f, _S462, _S462, _S462);
 }
 
 struct Memory_0
@@ -6988,24 +7046,24 @@ struct Memory_0
 
 fn Memory_x24init_0( lit_1 : Lit_0,  looks_1 : f32,  direct_3 : vec3<f32>,  albedo_3 : vec3<f32>,  normal_15 : vec3<f32>,  place_13 : vec3<f32>,  roughness_2 : f32,  coverage_1 : f32,  shown_1 : u32,  is_at_rest_1 : bool) -> Memory_0
 {
-    var _S461 : Memory_0;
-    _S461.lit_0 = lit_1;
-    _S461.looks_0 = looks_1;
-    _S461.direct_2 = direct_3;
-    _S461.albedo_2 = albedo_3;
-    _S461.normal_14 = normal_15;
-    _S461.place_12 = place_13;
-    _S461.roughness_1 = roughness_2;
-    _S461.coverage_0 = coverage_1;
-    _S461.shown_0 = shown_1;
-    _S461.is_at_rest_0 = is_at_rest_1;
-    return _S461;
+    var _S463 : Memory_0;
+    _S463.lit_0 = lit_1;
+    _S463.looks_0 = looks_1;
+    _S463.direct_2 = direct_3;
+    _S463.albedo_2 = albedo_3;
+    _S463.normal_14 = normal_15;
+    _S463.place_12 = place_13;
+    _S463.roughness_1 = roughness_2;
+    _S463.coverage_0 = coverage_1;
+    _S463.shown_0 = shown_1;
+    _S463.is_at_rest_0 = is_at_rest_1;
+    return _S463;
 }
 
 fn nothing_known_0() -> Memory_0
 {
-    var _S462 : vec3<f32> = vec3<f32>(0.0f);
-    return Memory_x24init_0(not_lit_0(), 0.0f, _S462, _S462, _S462, _S462, 0.0f, 0.0f, u32(0), false);
+    var _S464 : vec3<f32> = vec3<f32>(0.0f);
+    return Memory_x24init_0(not_lit_0(), 0.0f, _S464, _S464, _S464, _S464, 0.0f, 0.0f, u32(0), false);
 }
 
 fn memory_row_0( row_14 : u32,  index_34 : u32) -> vec4<u32>
@@ -7032,12 +7090,12 @@ fn Lit_products_0( this_63 : Lit_0,  kept_0 : vec3<f32>) -> vec3<f32>
 
 fn lit_of_0( paths_2 : f32,  light_14 : vec3<f32>,  words_3 : vec3<u32>) -> Lit_0
 {
-    var _S463 : u32 = words_3.x;
-    var _S464 : u32 = words_3.y;
-    var _S465 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S463), high_half_0(_S463), low_half_0(_S464)), vec3<f32>(0.0f));
-    var lit_2 : Lit_0 = _S465;
-    var _S466 : u32 = words_3.z;
-    lit_2.moments_0 = Lit_products_0(_S465, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S464), low_half_0(_S466), high_half_0(_S466)));
+    var _S465 : u32 = words_3.x;
+    var _S466 : u32 = words_3.y;
+    var _S467 : Lit_0 = Lit_x24init_0(paths_2, light_14, vec3<f32>(low_half_0(_S465), high_half_0(_S465), low_half_0(_S466)), vec3<f32>(0.0f));
+    var lit_2 : Lit_0 = _S467;
+    var _S468 : u32 = words_3.z;
+    lit_2.moments_0 = Lit_products_0(_S467, lit_2.shaded_0) * (vec3<f32>(1.0f) + vec3<f32>(high_half_0(_S466), low_half_0(_S468), high_half_0(_S468)));
     return lit_2;
 }
 
@@ -7061,19 +7119,19 @@ fn load_memory_0( index_36 : u32) -> Memory_0
     var memory_0 : Memory_0;
     memory_0.lit_0 = load_lit_0(index_36);
     memory_0.looks_0 = high_half_0(shaded_3.x);
-    var _S467 : u32 = seen_0.x;
-    var _S468 : u32 = seen_0.y;
-    memory_0.direct_2 = vec3<f32>(low_half_0(_S467), high_half_0(_S467), low_half_0(_S468));
-    var _S469 : u32 = seen_0.z;
-    memory_0.albedo_2 = vec3<f32>(high_half_0(_S468), low_half_0(_S469), high_half_0(_S469));
-    var _S470 : u32 = surface_6.w;
-    memory_0.normal_14 = normal_in_0(_S470);
+    var _S469 : u32 = seen_0.x;
+    var _S470 : u32 = seen_0.y;
+    memory_0.direct_2 = vec3<f32>(low_half_0(_S469), high_half_0(_S469), low_half_0(_S470));
+    var _S471 : u32 = seen_0.z;
+    memory_0.albedo_2 = vec3<f32>(high_half_0(_S470), low_half_0(_S471), high_half_0(_S471));
+    var _S472 : u32 = surface_6.w;
+    memory_0.normal_14 = normal_in_0(_S472);
     memory_0.place_12 = (bitcast<vec3<f32>>((surface_6.xyz)));
-    var _S471 : u32 = shaded_3.y;
-    memory_0.roughness_1 = high_half_0(_S471);
-    memory_0.coverage_0 = low_half_0(_S471);
+    var _S473 : u32 = shaded_3.y;
+    memory_0.roughness_1 = high_half_0(_S473);
+    memory_0.coverage_0 = low_half_0(_S473);
     memory_0.shown_0 = seen_0.w;
-    memory_0.is_at_rest_0 = ((_S470 & (u32(2147483648)))) != u32(0);
+    memory_0.is_at_rest_0 = ((_S472 & (u32(2147483648)))) != u32(0);
     return memory_0;
 }
 
@@ -7094,9 +7152,9 @@ fn scratch_row_0( row_15 : u32,  index_37 : u32) -> vec2<u32>
 fn load_known_0( index_38 : u32) -> Lit_0
 {
     var light_16 : vec2<u32> = scratch_row_0(u32(7), index_38);
-    var _S472 : u32 = light_16.y;
-    var _S473 : u32 = light_16.x;
-    return lit_of_0(high_half_0(_S472), vec3<f32>(low_half_0(_S473), high_half_0(_S473), low_half_0(_S472)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
+    var _S474 : u32 = light_16.y;
+    var _S475 : u32 = light_16.x;
+    return lit_of_0(high_half_0(_S474), vec3<f32>(low_half_0(_S475), high_half_0(_S475), low_half_0(_S474)), vec3<u32>(scratch_row_0(u32(8), index_38), scratch_row_0(u32(9), index_38).x));
 }
 
 fn memory_before_0( index_39 : u32) -> Memory_0
@@ -7135,20 +7193,20 @@ fn load_sample_0( index_40 : u32) -> Sample_0
     sample_20.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_40)))), d_3.x);
     sample_20.place_3 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_40)))));
     sample_20.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_40)))), (bitcast<f32>((g_0.x))));
-    var _S474 : u32 = g_0.y;
-    sample_20.normal_4 = normal_in_0(_S474);
-    sample_20.is_shown_0 = ((_S474 & (u32(1073741824)))) != u32(0);
+    var _S476 : u32 = g_0.y;
+    sample_20.normal_4 = normal_in_0(_S476);
+    sample_20.is_shown_0 = ((_S476 & (u32(1073741824)))) != u32(0);
     return sample_20;
 }
 
 fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 {
-    var _S475 : f32 = (*this_65).looks_0 + 1.0f;
-    (*this_65).looks_0 = _S475;
-    var share_9 : f32 = 1.0f / _S475;
-    var _S476 : vec3<f32> = vec3<f32>(share_9);
-    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S476;
-    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S476;
+    var _S477 : f32 = (*this_65).looks_0 + 1.0f;
+    (*this_65).looks_0 = _S477;
+    var share_9 : f32 = 1.0f / _S477;
+    var _S478 : vec3<f32> = vec3<f32>(share_9);
+    (*this_65).direct_2 = (*this_65).direct_2 + (sample_21.direct_0 - (*this_65).direct_2) * _S478;
+    (*this_65).albedo_2 = (*this_65).albedo_2 + (sample_21.albedo_0 - (*this_65).albedo_2) * _S478;
     if(!sample_21.is_shown_0)
     {
         (*this_65).coverage_0 = (*this_65).coverage_0 - (*this_65).coverage_0 * share_9;
@@ -7158,9 +7216,9 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
     (*this_65).coverage_0 = covered_0 * share_9;
     var of_covered_0 : f32 = 1.0f / covered_0;
     var before_0 : vec3<f32> = (*this_65).place_12;
-    var _S477 : vec3<f32> = vec3<f32>(of_covered_0);
-    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S477);
-    (*this_65).place_12 = (*this_65).place_12 + (sample_21.place_3 - (*this_65).place_12) * _S477;
+    var _S479 : vec3<f32> = vec3<f32>(of_covered_0);
+    (*this_65).normal_14 = in_ten_bits_0((*this_65).normal_14 + (sample_21.normal_4 - (*this_65).normal_14) * _S479);
+    (*this_65).place_12 = (*this_65).place_12 + (sample_21.place_3 - (*this_65).place_12) * _S479;
     if(covered_0 > 1.0f)
     {
         var along_1 : f32 = dot_product_0((*this_65).normal_14, sample_21.place_3 - before_0);
@@ -7171,45 +7229,45 @@ fn Memory_look_0( this_65 : ptr<function, Memory_0>,  sample_21 : Sample_0)
 
 fn Lit_add_0( this_66 : ptr<function, Lit_0>,  found_3 : vec3<f32>,  albedo_4 : vec3<f32>,  most_0 : f32)
 {
-    var _S478 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
-    (*this_66).paths_0 = _S478;
+    var _S480 : f32 = min((*this_66).paths_0 + 1.0f, most_0);
+    (*this_66).paths_0 = _S480;
     var l_1 : f32 = luminance_0(found_3);
     var a_9 : f32 = luminance_0(albedo_4);
-    var _S479 : vec3<f32> = vec3<f32>((1.0f / _S478));
-    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S479;
-    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S479;
-    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S479;
+    var _S481 : vec3<f32> = vec3<f32>((1.0f / _S480));
+    (*this_66).light_12 = (*this_66).light_12 + (found_3 - (*this_66).light_12) * _S481;
+    (*this_66).shaded_0 = (*this_66).shaded_0 + (albedo_4 - (*this_66).shaded_0) * _S481;
+    (*this_66).moments_0 = (*this_66).moments_0 + (vec3<f32>(l_1 * l_1, l_1 * a_9, a_9 * a_9) - (*this_66).moments_0) * _S481;
     return;
 }
 
 fn Memory_add_0( this_67 : ptr<function, Memory_0>,  sample_22 : Sample_0,  most_1 : f32)
 {
     Memory_look_0(&((*this_67)), sample_22);
-    var _S480 : Lit_0 = (*this_67).lit_0;
-    Lit_add_0(&(_S480), sample_22.light_6, sample_22.albedo_0, most_1);
-    (*this_67).lit_0 = _S480;
+    var _S482 : Lit_0 = (*this_67).lit_0;
+    Lit_add_0(&(_S482), sample_22.light_6, sample_22.albedo_0, most_1);
+    (*this_67).lit_0 = _S482;
     return;
 }
 
 fn shows_mover_0( sample_23 : Sample_0) -> bool
 {
-    var _S481 : bool;
+    var _S483 : bool;
     if((real_time_0.motions_0) != u32(0))
     {
         if((sample_23.instance_8) == u32(4294967295))
         {
-            _S481 = true;
+            _S483 = true;
         }
         else
         {
-            _S481 = is_mover_0(sample_23.instance_8);
+            _S483 = is_mover_0(sample_23.instance_8);
         }
     }
     else
     {
-        _S481 = false;
+        _S483 = false;
     }
-    return _S481;
+    return _S483;
 }
 
 fn shifted_0( numbers_0 : vec4<f32>,  by_0 : u32) -> vec4<f32>
@@ -7230,24 +7288,24 @@ fn is_far_5( a_10 : vec3<f32>,  b_9 : vec3<f32>) -> bool
 
 fn differ_0( a_11 : Sample_0,  b_10 : Sample_0) -> bool
 {
-    var _S482 : bool;
+    var _S484 : bool;
     if((a_11.is_shown_0) != (b_10.is_shown_0))
     {
-        _S482 = true;
+        _S484 = true;
     }
     else
     {
-        _S482 = is_far_5(a_11.direct_0, b_10.direct_0);
+        _S484 = is_far_5(a_11.direct_0, b_10.direct_0);
     }
-    if(_S482)
+    if(_S484)
     {
-        _S482 = true;
+        _S484 = true;
     }
     else
     {
-        _S482 = is_far_5(a_11.albedo_0, b_10.albedo_0);
+        _S484 = is_far_5(a_11.albedo_0, b_10.albedo_0);
     }
-    return _S482;
+    return _S484;
 }
 
 fn halves_1( low_15 : f32,  high_6 : f32) -> u32
@@ -7258,8 +7316,8 @@ fn halves_1( low_15 : f32,  high_6 : f32) -> u32
 fn Lit_beyond_0( this_68 : Lit_0,  kept_1 : vec3<f32>) -> vec3<f32>
 {
     var products_0 : vec3<f32> = Lit_products_0(this_68, kept_1);
-    var _S483 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
-    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S483), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S483);
+    var _S485 : vec3<f32> = vec3<f32>(1.00000000317107685e-30f);
+    return select(vec3<f32>(0.0f), min(this_68.moments_0 / max(products_0, _S485), vec3<f32>(60000.0f)) - vec3<f32>(1.0f), products_0 > _S485);
 }
 
 fn words_of_0( lit_3 : Lit_0) -> vec3<u32>
@@ -7274,26 +7332,26 @@ fn store_memory_0( index_41 : u32,  memory_2 : Memory_0)
 {
     var pixels_2 : u32 = real_time_0.pixels_0;
     var words_4 : vec3<u32> = words_of_0(memory_2.lit_0);
-    var _S484 : u32 = packed_normal_0(memory_2.normal_14);
-    var _S485 : u32;
+    var _S486 : u32 = packed_normal_0(memory_2.normal_14);
+    var _S487 : u32;
     if((memory_2.coverage_0) > 0.0f)
     {
-        _S485 = u32(1073741824);
+        _S487 = u32(1073741824);
     }
     else
     {
-        _S485 = u32(0);
+        _S487 = u32(0);
     }
-    var _S486 : u32 = (_S484 | (_S485));
+    var _S488 : u32 = (_S486 | (_S487));
     if(memory_2.is_at_rest_0)
     {
-        _S485 = u32(2147483648);
+        _S487 = u32(2147483648);
     }
     else
     {
-        _S485 = u32(0);
+        _S487 = u32(0);
     }
-    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_12))), (_S486 | (_S485)));
+    memory_rows_0[index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.place_12))), (_S488 | (_S487)));
     memory_rows_0[pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.lit_0.paths_0, memory_2.looks_0), halves_1(memory_2.coverage_0, memory_2.roughness_1), words_4.x, words_4.y);
     memory_rows_0[u32(2) * pixels_2 + index_41] = vec4<u32>((bitcast<vec3<u32>>((memory_2.lit_0.light_12))), words_4.z);
     memory_rows_0[u32(3) * pixels_2 + index_41] = vec4<u32>(halves_1(memory_2.direct_2.x, memory_2.direct_2.y), halves_1(memory_2.direct_2.z, memory_2.albedo_2.x), halves_1(memory_2.albedo_2.y, memory_2.albedo_2.z), memory_2.shown_0);
@@ -7323,16 +7381,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         {
             is_at_rest_2 = (memory_3.looks_0) == 0.0f;
         }
-        var _S487 : f32;
+        var _S489 : f32;
         if(memory_3.is_at_rest_0)
         {
-            _S487 = max(real_time_0.most_paths_0, 256.0f);
+            _S489 = max(real_time_0.most_paths_0, 256.0f);
         }
         else
         {
-            _S487 = real_time_0.most_paths_0;
+            _S489 = real_time_0.most_paths_0;
         }
-        Memory_add_0(&(memory_3), sample_24, _S487);
+        Memory_add_0(&(memory_3), sample_24, _S489);
         if(is_at_rest_2)
         {
             is_at_rest_2 = !shows_mover_0(sample_24);
@@ -7353,15 +7411,15 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
         }
         if(is_in_motion_0)
         {
-            _S487 = 4.0f;
+            _S489 = 4.0f;
         }
         else
         {
-            _S487 = 16.0f;
+            _S489 = 16.0f;
         }
         var look_0 : Walker_0;
-        var _S488 : Sample_0 = no_sample_0();
-        var seen_1 : Sample_0 = _S488;
+        var _S490 : Sample_0 = no_sample_0();
+        var seen_1 : Sample_0 = _S490;
         var is_under_way_1 : bool = false;
         var differs_0 : bool = false;
         var looks_2 : u32 = u32(0);
@@ -7375,17 +7433,17 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 if(has_0(u32(2)))
                 {
-                    var _S489 : f32 = memory_3.looks_0;
-                    var _S490 : f32;
+                    var _S491 : f32 = memory_3.looks_0;
+                    var _S492 : f32;
                     if(differs_0)
                     {
-                        _S490 = _S487;
+                        _S492 = _S489;
                     }
                     else
                     {
-                        _S490 = 4.0f;
+                        _S492 = 4.0f;
                     }
-                    is_at_rest_2 = _S489 < _S490;
+                    is_at_rest_2 = _S491 < _S492;
                 }
                 else
                 {
@@ -7403,7 +7461,7 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
             {
                 var looks_3 : u32 = looks_2 + u32(1);
                 look_0 = at_camera_0(looking_ray_0(at_19, looks_3), Sampler_x24init_0(((params_0.seed_0) ^ (u32(2246822507))), index_42, u32(16) * real_time_0.number_0 + looks_3), false);
-                seen_1 = _S488;
+                seen_1 = _S490;
                 looks_2 = looks_3;
             }
             var is_under_way_2 : bool = goes_on_4(&(look_0), &(seen_1));
@@ -7418,16 +7476,16 @@ fn remember(@builtin(global_invocation_id) id_3 : vec3<u32>)
                     is_in_motion_0 = differ_0(seen_1, sample_24);
                 }
                 Memory_look_0(&(memory_3), seen_1);
-                var _S491 : bool;
+                var _S493 : bool;
                 if(memory_3.is_at_rest_0)
                 {
-                    _S491 = !shows_mover_0(seen_1);
+                    _S493 = !shows_mover_0(seen_1);
                 }
                 else
                 {
-                    _S491 = false;
+                    _S493 = false;
                 }
-                memory_3.is_at_rest_0 = _S491;
+                memory_3.is_at_rest_0 = _S493;
                 differs_0 = is_in_motion_0;
             }
             is_under_way_1 = is_under_way_2;

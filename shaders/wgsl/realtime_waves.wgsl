@@ -1992,6 +1992,7 @@ struct Walker_0
      is_at_cell_0 : bool,
      counts_0 : bool,
      sees_mover_0 : bool,
+     by_chance_0 : bool,
 };
 
 struct Sample_0
@@ -3701,7 +3702,7 @@ fn climb_0( receiver_11 : Receiver_0,  start_3 : u32,  descent_0 : ptr<function,
     return ((*descent_0).weight_0) > 0.0f;
 }
 
-fn by_chance_0() -> Aim_0
+fn by_chance_1() -> Aim_0
 {
     return Aim_x24init_0(false, vec3<f32>(0.0f), miss_0(), 0.0f);
 }
@@ -4554,7 +4555,7 @@ fn sample_emitter_0( receiver_15 : Receiver_0,  u_9 : vec4<f32>,  aim_2 : Aim_0,
     {
         if(!IS_SINGLE_0)
         {
-            var _S290 : bool = descend_0(receiver_15, by_chance_0(), &(descent_3));
+            var _S290 : bool = descend_0(receiver_15, by_chance_1(), &(descent_3));
             _S287 = !_S290;
         }
         else
@@ -5296,7 +5297,7 @@ fn albedo_of_0( material_11 : PackedMaterial_0) -> vec3<f32>
     return vector_of_0(material_11.base_color_0);
 }
 
-fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  sample_9 : ptr<function, Sample_0>)
+fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  is_lit_1 : bool,  sample_9 : ptr<function, Sample_0>)
 {
     var _S334 : Path_0 = path_8;
     (*sample_9).is_shown_0 = true;
@@ -5306,81 +5307,137 @@ fn show_0( path_8 : Path_0,  ray_19 : Ray_0,  hit_11 : Hit_0,  beyond_4 : u32,  
     }
     var material_12 : PackedMaterial_0 = material_met_0(_S334, hit_11, beyond_4);
     (*sample_9).normal_1 = in_ten_bits_0(shading_normal_0(ray_19, hit_11, material_12));
-    (*sample_9).albedo_0 = _S334.beta_0 * albedo_of_0(material_12);
+    var _S335 : vec3<f32> = _S334.beta_0;
+    var _S336 : vec3<f32>;
+    if(!is_lit_1)
+    {
+        _S336 = albedo_of_0(material_12);
+    }
+    else
+    {
+        _S336 = vec3<f32>(1.0f);
+    }
+    (*sample_9).albedo_0 = _S335 * _S336;
     return;
 }
 
 fn Walker_see_0( this_49 : ptr<function, Walker_0>,  arrived_0 : Path_0,  hit_12 : Hit_0,  beyond_5 : u32,  emitted_1 : vec3<f32>,  goes_on_0 : bool,  sample_10 : ptr<function, Sample_0>)
 {
-    (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
-    var _S335 : bool;
+    var is_lit_2 : bool;
+    if((*this_49).by_chance_0)
+    {
+        is_lit_2 = (max_element_0(emitted_1)) > 0.0f;
+    }
+    else
+    {
+        is_lit_2 = false;
+    }
+    if(is_lit_2)
+    {
+        (*sample_10).light_1 = (*sample_10).light_1 + emitted_1;
+    }
+    else
+    {
+        (*sample_10).direct_0 = (*sample_10).direct_0 + emitted_1;
+    }
+    var _S337 : bool;
     if((*this_49).sees_mover_0)
     {
-        _S335 = true;
+        _S337 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_12))
         {
-            _S335 = is_mover_0(hit_12.instance_0);
+            _S337 = is_mover_0(hit_12.instance_0);
         }
         else
         {
-            _S335 = false;
+            _S337 = false;
         }
     }
-    (*this_49).sees_mover_0 = _S335;
-    var _S336 : bool = ((*this_49).path_0.bounce_0) == u32(0);
+    (*this_49).sees_mover_0 = _S337;
+    var _S338 : bool = ((*this_49).path_0.bounce_0) == u32(0);
     if(goes_on_0)
     {
-        _S335 = _S336;
+        _S337 = _S338;
     }
     else
     {
-        _S335 = false;
+        _S337 = false;
     }
-    var _S337 : bool = !_S335;
-    (*this_49).has_shown_0 = _S337;
-    if(!_S337)
+    var _S339 : bool = !_S337;
+    (*this_49).has_shown_0 = _S339;
+    if(!_S339)
     {
+        if((*this_49).by_chance_0)
+        {
+            is_lit_2 = true;
+        }
+        else
+        {
+            if((any((((*this_49).path_0.normal_0) != vec3<f32>(0.0f)))))
+            {
+                if(Inside_is_in_0(arrived_0.inside_0))
+                {
+                    is_lit_2 = true;
+                }
+                else
+                {
+                    is_lit_2 = (material_met_0(arrived_0, hit_12, beyond_5).metallic_0) < 1.0f;
+                }
+            }
+            else
+            {
+                is_lit_2 = false;
+            }
+        }
+        (*this_49).by_chance_0 = is_lit_2;
         (*this_49).way_3 = (*this_49).way_3 + hit_12.t_0;
     }
     else
     {
-        var _S338 : u32;
+        var _S340 : u32;
         if(!Hit_is_miss_0(hit_12))
         {
-            show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, &((*sample_10)));
+            show_0(arrived_0, (*this_49).ray_7, hit_12, beyond_5, is_lit_2, &((*sample_10)));
             (*sample_10).place_0 = (*this_49).camera_ray_0.origin_0 + (*this_49).camera_ray_0.direction_0 * vec3<f32>(((*this_49).way_3 + hit_12.t_0));
             if(((*this_49).way_3) > 0.0f)
             {
                 if((*this_49).sees_mover_0)
                 {
-                    _S338 = u32(4294967295);
+                    _S340 = u32(4294967295);
                 }
                 else
                 {
-                    _S338 = u32(4294967294);
+                    _S340 = u32(4294967294);
                 }
             }
             else
             {
-                _S338 = hit_12.instance_0;
+                _S340 = hit_12.instance_0;
             }
-            (*sample_10).instance_7 = _S338;
+            (*sample_10).instance_7 = _S340;
         }
         else
         {
             (*sample_10).albedo_0 = vec3<f32>(0.0f);
             if((*this_49).sees_mover_0)
             {
-                _S338 = u32(4294967295);
+                _S340 = u32(4294967295);
             }
             else
             {
-                _S338 = u32(4294967294);
+                _S340 = u32(4294967294);
             }
-            (*sample_10).instance_7 = _S338;
+            (*sample_10).instance_7 = _S340;
+            if(is_lit_2)
+            {
+                (*sample_10).is_shown_0 = true;
+                (*sample_10).albedo_0 = arrived_0.beta_0;
+                (*sample_10).normal_1 = in_ten_bits_0(normalize_vector_0((vec3<f32>(0) - (*this_49).camera_ray_0.direction_0)));
+                (*sample_10).place_0 = (*this_49).camera_ray_0.origin_0 + (*this_49).camera_ray_0.direction_0 * vec3<f32>((*this_49).way_3);
+            }
         }
     }
     return;
@@ -5401,10 +5458,10 @@ struct BsdfEval_0
 
 fn BsdfEval_x24init_0( weight_6 : vec3<f32>,  pdf_11 : f32) -> BsdfEval_0
 {
-    var _S339 : BsdfEval_0;
-    _S339.weight_5 = weight_6;
-    _S339.pdf_10 = pdf_11;
-    return _S339;
+    var _S341 : BsdfEval_0;
+    _S341.weight_5 = weight_6;
+    _S341.pdf_10 = pdf_11;
+    return _S341;
 }
 
 fn Diffuse_eval_0( this_51 : Diffuse_0,  wo_6 : vec3<f32>,  wi_3 : vec3<f32>) -> BsdfEval_0
@@ -5421,9 +5478,9 @@ var<private> weighs_candidates_0 : bool;
 
 fn cube_of_0( point_6 : vec3<f32>,  size_squared_0 : f32,  smaller_0 : i32,  power_6 : ptr<function, i32>) -> vec3<i32>
 {
-    var _S340 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
-    (*power_6) = _S340;
-    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S340) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
+    var _S342 : i32 = clamp((((i32(((bitcast<u32>((size_squared_0))) >> (u32(23)))) - i32(127)) >> (u32(1)))) - smaller_0, i32(-64), i32(64));
+    (*power_6) = _S342;
+    return vec3<i32>(clamp(floor(point_6 * vec3<f32>((bitcast<f32>(((u32(i32(127) - _S342) << (u32(23)))))))), vec3<f32>(-1.0e+09f), vec3<f32>(1.0e+09f)));
 }
 
 fn place_of_ray_0( ray_20 : Ray_0) -> u32
@@ -5432,17 +5489,17 @@ fn place_of_ray_0( ray_20 : Ray_0) -> u32
     var power_7 : i32;
     var begin_0 : vec3<i32> = cube_of_0(ray_20.origin_0, length_squared_0(ray_20.origin_0 - real_time_0.eye_0) * (size_2 * size_2), i32(0), &(power_7));
     var hash_2 : vec4<u32> = pcg4d_0(vec4<u32>(vec3<u32>(begin_0), u32(power_7)));
-    var _S341 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
+    var _S343 : vec3<i32> = vec3<i32>(floor(ray_20.direction_0 * vec3<f32>(4.0f)));
     power_7 = i32(128);
     var end_2 : vec3<i32>;
     if((ray_20.t_max_0) <= 1.0f)
     {
-        var _S342 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
-        end_2 = _S342;
+        var _S344 : vec3<i32> = cube_of_0(ray_20.origin_0 + ray_20.direction_0, length_squared_0(ray_20.direction_0), i32(1), &(power_7));
+        end_2 = _S344;
     }
     else
     {
-        end_2 = _S341;
+        end_2 = _S343;
     }
     return ((pcg4d_0((vec4<u32>(vec3<u32>(end_2), u32(power_7)) ^ (hash_2))).x) & (u32(131071)));
 }
@@ -5483,29 +5540,29 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         var dimension_3 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_0.path_3) + u32(2) * candidate_0;
         var u_17 : vec4<f32>;
-        var _S343 : vec4<f32>;
+        var _S345 : vec4<f32>;
         if(candidate_0 == u32(0))
         {
-            _S343 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
+            _S345 = Sampler_stratified_0(scatter_0.path_3.sampler_0, Path_dimension_light_0(scatter_0.path_3));
         }
         else
         {
-            _S343 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
+            _S345 = Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3);
         }
-        u_17 = _S343;
-        var _S344 : bool = count_5 > u32(1);
-        if(_S344)
+        u_17 = _S345;
+        var _S346 : bool = count_5 > u32(1);
+        if(_S346)
         {
             u_17[i32(0)] = min((f32(candidate_0) + u_17.x) * divide_0(1.0f, f32(count_5)), 0.99999994039535522f);
         }
         var light_7 : LightSample_0 = no_light_0();
-        var is_found_10 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_0(), &(light_7));
+        var is_found_10 : bool = Lights_sample_0(scatter_0.receiver_0, scatter_0.path_3.selection_0, u_17, by_chance_1(), &(light_7));
         if(!is_found_10)
         {
             candidate_0 = candidate_0 + u32(1);
             continue;
         }
-        var _S345 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
+        var _S347 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_0.surface_0, light_7.ray_13.direction_0).xy, light_7.cos_theta_1);
         var wi_5 : vec3<f32>;
         if(scatter_0.is_scattered_0)
         {
@@ -5513,41 +5570,41 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_5 = _S345;
+            wi_5 = _S347;
         }
         var eval_0 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_0.bsdf_0, scatter_0.wo_0, wi_5);
-        var _S346 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
-        var weight_7 : f32 = luminance_0(_S346);
-        var _S347 : bool;
+        var _S348 : vec3<f32> = scatter_0.path_3.beta_0 * eval_0.weight_5 * vec3<f32>(scatter_0.compensation_0) * light_7.radiance_1 * vec3<f32>((divide_0(eval_0.pdf_10, light_7.pdf_2) * power_heuristic_0(light_7.pdf_2, eval_0.pdf_10)));
+        var weight_7 : f32 = luminance_0(_S348);
+        var _S349 : bool;
         if(weighs_candidates_0)
         {
-            _S347 = _S344;
+            _S349 = _S346;
         }
         else
         {
-            _S347 = false;
+            _S349 = false;
         }
         var weight_8 : f32;
-        if(_S347)
+        if(_S349)
         {
-            var _S348 : f32 = visibility_0(light_7.ray_13);
-            weight_8 = weight_7 * _S348;
+            var _S350 : f32 = visibility_0(light_7.ray_13);
+            weight_8 = weight_7 * _S350;
         }
         else
         {
             weight_8 = weight_7;
         }
         var sum_5 : f32 = sum_4 + weight_8;
-        var _S349 : bool;
-        if(_S344)
+        var _S351 : bool;
+        if(_S346)
         {
-            _S349 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
+            _S351 = (Sampler_independent_0(scatter_0.path_3.sampler_0, dimension_3 + u32(1)).x * sum_5) >= weight_8;
         }
         else
         {
-            _S349 = false;
+            _S351 = false;
         }
-        if(_S349)
+        if(_S351)
         {
             sum_4 = sum_5;
             candidate_0 = candidate_0 + u32(1);
@@ -5558,7 +5615,7 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         {
             (*next_1).shadow_direction_0 = light_7.ray_13.direction_0;
             (*next_1).shadow_t_max_0 = light_7.ray_13.t_max_0;
-            (*next_1).light_2 = _S346;
+            (*next_1).light_2 = _S348;
             chosen_5 = weight_8;
         }
         else
@@ -5569,9 +5626,9 @@ fn choose_light_0( scatter_0 : Scatter_0,  next_1 : ptr<function, NextRays_0>)
         sum_4 = sum_5;
         candidate_0 = candidate_0 + u32(1);
     }
-    var _S350 : bool = chosen_4 > 0.0f;
-    (*next_1).has_shadow_ray_0 = _S350;
-    if(_S350)
+    var _S352 : bool = chosen_4 > 0.0f;
+    (*next_1).has_shadow_ray_0 = _S352;
+    if(_S352)
     {
         (*next_1).light_2 = (*next_1).light_2 * vec3<f32>(divide_0(sum_4, chosen_4 * f32(count_5)));
     }
@@ -5583,7 +5640,7 @@ var<private> counts_arrivals_0 : bool;
 fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : u32,  sample_11 : ptr<function, Sample_0>) -> bool
 {
     var next_2 : NextRays_0 = no_rays_0();
-    var _S351 : bool = (*at_7).is_at_cell_0;
+    var _S353 : bool = (*at_7).is_at_cell_0;
     var goes_on_1 : bool;
     if((*at_7).is_at_cell_0)
     {
@@ -5594,8 +5651,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     }
     else
     {
-        var _S352 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_0 : vec3<f32> = _S352;
+        var _S354 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_0 : vec3<f32> = _S354;
         if((*at_7).has_shown_0)
         {
             goes_on_1 = (*at_7).asks_cache_0;
@@ -5606,8 +5663,8 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         if(goes_on_1)
         {
-            var _S353 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
-            goes_on_1 = _S353;
+            var _S355 : bool = asks_0((*at_7).path_0, (*at_7).ray_7, hit_13, beyond_6, (*at_7).life_0, &(cached_0));
+            goes_on_1 = _S355;
         }
         else
         {
@@ -5615,12 +5672,12 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
         }
         ends_here_0 = goes_on_1;
         var arrived_1 : Path_0 = (*at_7).path_0;
-        var emitted_2 : vec3<f32> = _S352;
-        var _S354 : Path_0 = (*at_7).path_0;
-        var _S355 : NextRays_0 = PathTracingOf_advance_0(&(_S354), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
-        (*at_7).path_0 = _S354;
-        next_2 = _S355;
-        var goes_on_2 : bool = (any(((next_2.direction_5) != _S352)));
+        var emitted_2 : vec3<f32> = _S354;
+        var _S356 : Path_0 = (*at_7).path_0;
+        var _S357 : NextRays_0 = PathTracingOf_advance_0(&(_S356), (*at_7).ray_7, hit_13, beyond_6, &(emitted_2));
+        (*at_7).path_0 = _S356;
+        next_2 = _S357;
+        var goes_on_2 : bool = (any(((next_2.direction_5) != _S354)));
         if((*at_7).has_shown_0)
         {
             (*sample_11).light_1 = (*sample_11).light_1 + (cached_0 + emitted_2);
@@ -5635,44 +5692,44 @@ fn goes_on_from_0( at_7 : ptr<function, Walker_0>,  hit_13 : Hit_0,  beyond_6 : 
     {
         choose_light_0(scatter_of_path_0, &(next_2));
     }
-    if(!_S351)
+    if(!_S353)
     {
-        var _S356 : bool;
+        var _S358 : bool;
         if(counts_arrivals_0)
         {
-            _S356 = next_2.has_shadow_ray_0;
+            _S358 = next_2.has_shadow_ray_0;
         }
         else
         {
-            _S356 = false;
+            _S358 = false;
         }
-        if(_S356)
+        if(_S358)
         {
-            _S356 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S358 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S356 = false;
+            _S358 = false;
         }
-        if(_S356)
+        if(_S358)
         {
-            _S356 = !scatter_of_path_0.is_scattered_0;
+            _S358 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S356 = false;
+            _S358 = false;
         }
-        if(_S356)
+        if(_S358)
         {
-            _S356 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S358 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S356 = false;
+            _S358 = false;
         }
-        (*at_7).counts_0 = _S356;
+        (*at_7).counts_0 = _S358;
     }
-    if(_S351)
+    if(_S353)
     {
         (*at_7).path_0.bounce_0 = u32(1);
         (*at_7).path_0.event_0 = u32(1);
@@ -5703,72 +5760,72 @@ fn key_of_1( hit_14 : Hit_0,  size_3 : f32,  u_18 : f32,  code_3 : ptr<function,
 {
     var clamped_1 : f32 = clamp(size_3, 1.0f, 128.0f);
     var power_8 : f32 = f32(((bitcast<u32>((clamped_1))) >> (u32(23)))) - 127.0f;
-    var _S357 : f32;
+    var _S359 : f32;
     if(u_18 < (clamped_1 * inverse_power_of_two_0(clamped_1) - 1.0f))
     {
-        _S357 = 1.0f;
+        _S359 = 1.0f;
     }
     else
     {
-        _S357 = 0.0f;
+        _S359 = 0.0f;
     }
-    var level_1 : u32 = u32(min(power_8 + _S357, 6.0f));
-    var _S358 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
-    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S358)));
-    var _S359 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S358))));
-    (*code_3) = u32(1) + (((((((_S359.x) | ((((_S359.y) << (level_1)))))) | ((((_S359.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
+    var level_1 : u32 = u32(min(power_8 + _S359, 6.0f));
+    var _S360 : vec3<u32> = vec3<u32>(u32(i32(level_1)));
+    var key_3 : Key_0 = Key_x24init_0(hit_14.instance_0, ((hit_14.face_0) | (((level_1 << (u32(3)))))), ((hit_14.voxel_0) >> (_S360)));
+    var _S361 : vec3<u32> = vec3<u32>(hit_14.voxel_0 - (((key_3.cube_0) << (_S360))));
+    (*code_3) = u32(1) + (((((((_S361.x) | ((((_S361.y) << (level_1)))))) | ((((_S361.z) << ((u32(2) * level_1))))))) ^ ((((scramble_of_0(real_time_0.number_0)) & ((Key_mask_0(key_3))))))));
     return key_3;
 }
 
 fn asks_1( path_9 : Path_0,  ray_22 : Ray_0,  hit_15 : Hit_0,  beyond_7 : u32,  life_2 : u32,  light_8 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_8) = vec3<f32>(0.0f);
-    var _S360 : bool;
+    var _S362 : bool;
     if(Hit_is_miss_0(hit_15))
     {
-        _S360 = true;
+        _S362 = true;
     }
     else
     {
-        _S360 = Inside_is_in_0(path_9.inside_0);
+        _S362 = Inside_is_in_0(path_9.inside_0);
     }
-    if(_S360)
+    if(_S362)
     {
         return false;
     }
     var material_13 : PackedMaterial_0 = material_met_0(path_9, hit_15, beyond_7);
     if((material_13.metallic_0) > 0.0f)
     {
-        _S360 = true;
+        _S362 = true;
     }
     else
     {
-        _S360 = (material_13.transmission_0) > 0.0f;
+        _S362 = (material_13.transmission_0) > 0.0f;
     }
-    if(_S360)
+    if(_S362)
     {
         return false;
     }
     var code_4 : u32;
     var key_4 : Key_0 = key_of_1(hit_15, square_root_0(length_squared_0(ray_22.origin_0 + ray_22.direction_0 * vec3<f32>(hit_15.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_9.sampler_0, u32(3221225472) + Path_events_0(path_9)).x, &(code_4));
-    var _S361 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
+    var _S363 : f32 = f32((u32(1) << ((Key_level_0(key_4)))));
     var is_from_first_1 : bool = (path_9.bounce_0) < u32(2);
     if(life_2 == u32(0))
     {
-        _S360 = true;
+        _S362 = true;
     }
     else
     {
         if(is_from_first_1)
         {
-            _S360 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S361;
+            _S362 = (hit_15.t_0 * square_root_0(length_squared_0(ray_22.direction_0))) < _S363;
         }
         else
         {
-            _S360 = false;
+            _S362 = false;
         }
     }
-    if(_S360)
+    if(_S362)
     {
         return false;
     }
@@ -5800,13 +5857,13 @@ fn SunDisc_sample_1( receiver_20 : Receiver_0,  u_19 : vec4<f32>,  sample_12 : p
 
 fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirection_0>) -> bool
 {
-    var _S362 : vec3<f32> = vec3<f32>(0.0f);
-    (*chosen_6) = ChosenDirection_x24init_0(_S362, _S362, 0.0f);
+    var _S364 : vec3<f32> = vec3<f32>(0.0f);
+    (*chosen_6) = ChosenDirection_x24init_0(_S364, _S364, 0.0f);
     var edge_1 : f32 = f32(params_0.sky_edge_0);
-    var _S363 : f32 = u_20.x * edge_1;
-    var _S364 : f32 = edge_1 - 1.0f;
-    var _S365 : f32 = min(floor(_S363), _S364);
-    var own_3 : u32 = u32(_S365) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S364));
+    var _S365 : f32 = u_20.x * edge_1;
+    var _S366 : f32 = edge_1 - 1.0f;
+    var _S367 : f32 = min(floor(_S365), _S366);
+    var own_3 : u32 = u32(_S367) * params_0.sky_edge_0 + u32(min(floor(u_20.y * edge_1), _S366));
     var index_28 : u32;
     if((u_20.z) < (environment_0[own_3].threshold_0))
     {
@@ -5821,10 +5878,10 @@ fn Environment_choose_1( u_20 : vec4<f32>,  chosen_6 : ptr<function, ChosenDirec
     {
         return false;
     }
-    var _S366 : u32 = index_28 % params_0.sky_edge_0;
-    var _S367 : f32 = f32(_S366);
-    var _S368 : u32 = index_28 / params_0.sky_edge_0;
-    var place_6 : vec2<f32> = vec2<f32>(_S367, f32(_S368)) + vec2<f32>(min(_S363 - _S365, 1.0f), u_20.w);
+    var _S368 : u32 = index_28 % params_0.sky_edge_0;
+    var _S369 : f32 = f32(_S368);
+    var _S370 : u32 = index_28 / params_0.sky_edge_0;
+    var place_6 : vec2<f32> = vec2<f32>(_S369, f32(_S370)) + vec2<f32>(min(_S365 - _S367, 1.0f), u_20.w);
     (*chosen_6) = ChosenDirection_x24init_0(Environment_to_world_0(direction_of_0(place_6 * vec2<f32>(divide_0(1.0f, edge_1)))), Environment_radiance_at_0(place_6), pdf_12);
     return true;
 }
@@ -5833,17 +5890,17 @@ fn Sky_sample_1( receiver_21 : Receiver_0,  u_21 : vec4<f32>,  sample_13 : ptr<f
 {
     (*sample_13) = no_light_0();
     var chosen_7 : ChosenDirection_0;
-    var _S369 : bool;
+    var _S371 : bool;
     if(SKY_0 != u32(1))
     {
-        _S369 = true;
+        _S371 = true;
     }
     else
     {
-        var _S370 : bool = Environment_choose_1(u_21, &(chosen_7));
-        _S369 = !_S370;
+        var _S372 : bool = Environment_choose_1(u_21, &(chosen_7));
+        _S371 = !_S372;
     }
-    if(_S369)
+    if(_S371)
     {
         return false;
     }
@@ -5868,7 +5925,7 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
     var at_8 : u32 = start_4;
     for(;;)
     {
-        var _S371 : LightNode_0 = node_12;
+        var _S373 : LightNode_0 = node_12;
         if((node_12.parent_0) != u32(4294967295))
         {
         }
@@ -5876,20 +5933,20 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             break;
         }
-        var parent_2 : LightNode_0 = top_light_node_0(_S371.parent_0);
-        var _S372 : u32 = _S371.parent_0 + u32(1);
-        var is_left_4 : bool = at_8 == _S372;
-        var _S373 : u32;
+        var parent_2 : LightNode_0 = top_light_node_0(_S373.parent_0);
+        var _S374 : u32 = _S373.parent_0 + u32(1);
+        var is_left_4 : bool = at_8 == _S374;
+        var _S375 : u32;
         if(is_left_4)
         {
-            _S373 = parent_2.index_11;
+            _S375 = parent_2.index_11;
         }
         else
         {
-            _S373 = _S372;
+            _S375 = _S374;
         }
         var own_4 : View_0 = view_0(node_12, receiver_22);
-        var other_3 : View_0 = view_0(top_light_node_0(_S373), receiver_22);
+        var other_3 : View_0 = view_0(top_light_node_0(_S375), receiver_22);
         var weights_3 : vec2<f32>;
         if(is_left_4)
         {
@@ -5899,26 +5956,26 @@ fn climb_1( receiver_22 : Receiver_0,  start_4 : u32,  descent_4 : ptr<function,
         {
             weights_3 = weights_of_views_0(other_3, own_4);
         }
-        var _S374 : f32 = weights_3.x;
-        var _S375 : f32 = weights_3.y;
-        var total_6 : f32 = _S374 + _S375;
+        var _S376 : f32 = weights_3.x;
+        var _S377 : f32 = weights_3.y;
+        var total_6 : f32 = _S376 + _S377;
         if(!(total_6 > 0.0f))
         {
             return false;
         }
-        var _S376 : f32;
+        var _S378 : f32;
         if(is_left_4)
         {
-            _S376 = _S374;
+            _S378 = _S376;
         }
         else
         {
-            _S376 = _S375;
+            _S378 = _S377;
         }
-        (*descent_4).weight_0 = (*descent_4).weight_0 * _S376;
+        (*descent_4).weight_0 = (*descent_4).weight_0 * _S378;
         (*descent_4).total_0 = (*descent_4).total_0 * total_6;
         node_12 = parent_2;
-        at_8 = _S371.parent_0;
+        at_8 = _S373.parent_0;
     }
     return ((*descent_4).weight_0) > 0.0f;
 }
@@ -5927,16 +5984,16 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
 {
     for(;;)
     {
-        var _S377 : bool;
+        var _S379 : bool;
         if(((*descent_5).count_2) == u32(0))
         {
-            _S377 = !(*descent_5).is_far_3;
+            _S379 = !(*descent_5).is_far_3;
         }
         else
         {
-            _S377 = false;
+            _S379 = false;
         }
-        if(_S377)
+        if(_S379)
         {
         }
         else
@@ -5950,29 +6007,29 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         var left_5 : LightNode_0 = TopLights_node_0((*descent_5).node_3 + u32(1));
         var right_4 : LightNode_0 = TopLights_node_0((*descent_5).index_15);
         var weights_4 : vec2<f32> = weights_of_views_0(view_0(left_5, receiver_23), view_0(right_4, receiver_23));
-        var _S378 : f32 = weights_4.x;
-        var _S379 : f32 = weights_4.y;
-        var total_7 : f32 = _S378 + _S379;
+        var _S380 : f32 = weights_4.x;
+        var _S381 : f32 = weights_4.y;
+        var total_7 : f32 = _S380 + _S381;
         if(!(total_7 > 0.0f))
         {
             return false;
         }
-        var _S380 : bool;
-        if(_S379 <= 0.0f)
+        var _S382 : bool;
+        if(_S381 <= 0.0f)
         {
-            _S380 = true;
+            _S382 = true;
         }
         else
         {
-            _S380 = ((*descent_5).choice_0 * total_7) < (_S378 * (*descent_5).weight_0);
+            _S382 = ((*descent_5).choice_0 * total_7) < (_S380 * (*descent_5).weight_0);
         }
         var is_left_5 : bool;
         if(aim_5.is_met_0)
         {
-            var _S381 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
-            if((all((_S381 >= (vector_of_0(left_5.min_1))))))
+            var _S383 : vec3<f32> = vec3<f32>(aim_5.hit_6.voxel_0);
+            if((all((_S383 >= (vector_of_0(left_5.min_1))))))
             {
-                is_left_5 = (all((_S381 < (vector_of_0(left_5.max_1)))));
+                is_left_5 = (all((_S383 < (vector_of_0(left_5.max_1)))));
             }
             else
             {
@@ -5981,63 +6038,63 @@ fn descend_2( receiver_23 : Receiver_0,  aim_5 : Aim_0,  descent_5 : ptr<functio
         }
         else
         {
-            is_left_5 = _S380;
+            is_left_5 = _S382;
         }
-        var _S382 : f32 = (*descent_5).choice_0 * total_7;
-        var _S383 : f32;
+        var _S384 : f32 = (*descent_5).choice_0 * total_7;
+        var _S385 : f32;
         if(is_left_5)
         {
-            _S383 = 0.0f;
+            _S385 = 0.0f;
         }
         else
         {
-            _S383 = _S378 * (*descent_5).weight_0;
+            _S385 = _S380 * (*descent_5).weight_0;
         }
-        (*descent_5).choice_0 = _S382 - _S383;
-        var _S384 : u32;
-        if(is_left_5)
-        {
-            _S384 = (*descent_5).node_3 + u32(1);
-        }
-        else
-        {
-            _S384 = (*descent_5).index_15;
-        }
-        (*descent_5).node_3 = _S384;
-        var _S385 : u32;
-        if(is_left_5)
-        {
-            _S385 = left_5.index_11;
-        }
-        else
-        {
-            _S385 = right_4.index_11;
-        }
-        (*descent_5).index_15 = _S385;
+        (*descent_5).choice_0 = _S384 - _S385;
         var _S386 : u32;
         if(is_left_5)
         {
-            _S386 = left_5.count_1;
+            _S386 = (*descent_5).node_3 + u32(1);
         }
         else
         {
-            _S386 = right_4.count_1;
+            _S386 = (*descent_5).index_15;
         }
-        (*descent_5).count_2 = _S386;
-        (*descent_5).is_far_3 = false;
-        var _S387 : f32;
+        (*descent_5).node_3 = _S386;
+        var _S387 : u32;
         if(is_left_5)
         {
-            _S387 = _S378;
+            _S387 = left_5.index_11;
         }
         else
         {
-            _S387 = _S379;
+            _S387 = right_4.index_11;
         }
-        var _S388 : f32 = (*descent_5).weight_0 * _S387;
-        (*descent_5).weight_0 = _S388;
+        (*descent_5).index_15 = _S387;
+        var _S388 : u32;
+        if(is_left_5)
+        {
+            _S388 = left_5.count_1;
+        }
+        else
+        {
+            _S388 = right_4.count_1;
+        }
+        (*descent_5).count_2 = _S388;
+        (*descent_5).is_far_3 = false;
+        var _S389 : f32;
+        if(is_left_5)
+        {
+            _S389 = _S380;
+        }
+        else
+        {
+            _S389 = _S381;
+        }
+        var _S390 : f32 = (*descent_5).weight_0 * _S389;
+        (*descent_5).weight_0 = _S390;
         (*descent_5).total_0 = (*descent_5).total_0 * total_7;
-        if(_S388 <= 0.0f)
+        if(_S390 <= 0.0f)
         {
             return false;
         }
@@ -6059,16 +6116,16 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
 {
     for(;;)
     {
-        var _S389 : bool;
+        var _S391 : bool;
         if(((*descent_6).count_2) == u32(0))
         {
-            _S389 = !(*descent_6).is_far_3;
+            _S391 = !(*descent_6).is_far_3;
         }
         else
         {
-            _S389 = false;
+            _S391 = false;
         }
-        if(_S389)
+        if(_S391)
         {
         }
         else
@@ -6084,29 +6141,29 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         var of_left_1 : View_0 = view_0(left_6, receiver_24);
         var of_right_1 : View_0 = view_0(right_5, receiver_24);
         var weights_5 : vec2<f32> = weights_of_views_0(of_left_1, of_right_1);
-        var _S390 : f32 = weights_5.x;
-        var _S391 : f32 = weights_5.y;
-        var total_8 : f32 = _S390 + _S391;
+        var _S392 : f32 = weights_5.x;
+        var _S393 : f32 = weights_5.y;
+        var total_8 : f32 = _S392 + _S393;
         if(!(total_8 > 0.0f))
         {
             return false;
         }
-        var _S392 : bool;
-        if(_S391 <= 0.0f)
+        var _S394 : bool;
+        if(_S393 <= 0.0f)
         {
-            _S392 = true;
+            _S394 = true;
         }
         else
         {
-            _S392 = ((*descent_6).choice_0 * total_8) < (_S390 * (*descent_6).weight_0);
+            _S394 = ((*descent_6).choice_0 * total_8) < (_S392 * (*descent_6).weight_0);
         }
         var is_left_6 : bool;
         if(aim_6.is_met_0)
         {
-            var _S393 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
-            if((all((_S393 >= (vector_of_0(left_6.min_1))))))
+            var _S395 : vec3<f32> = vec3<f32>(aim_6.hit_6.voxel_0);
+            if((all((_S395 >= (vector_of_0(left_6.min_1))))))
             {
-                is_left_6 = (all((_S393 < (vector_of_0(left_6.max_1)))));
+                is_left_6 = (all((_S395 < (vector_of_0(left_6.max_1)))));
             }
             else
             {
@@ -6115,72 +6172,72 @@ fn descend_3( receiver_24 : Receiver_0,  aim_6 : Aim_0,  descent_6 : ptr<functio
         }
         else
         {
-            is_left_6 = _S392;
+            is_left_6 = _S394;
         }
-        var _S394 : f32 = (*descent_6).choice_0 * total_8;
-        var _S395 : f32;
+        var _S396 : f32 = (*descent_6).choice_0 * total_8;
+        var _S397 : f32;
         if(is_left_6)
         {
-            _S395 = 0.0f;
+            _S397 = 0.0f;
         }
         else
         {
-            _S395 = _S390 * (*descent_6).weight_0;
+            _S397 = _S392 * (*descent_6).weight_0;
         }
-        (*descent_6).choice_0 = _S394 - _S395;
-        var _S396 : u32;
-        if(is_left_6)
-        {
-            _S396 = (*descent_6).node_3 + u32(1);
-        }
-        else
-        {
-            _S396 = (*descent_6).index_15;
-        }
-        (*descent_6).node_3 = _S396;
-        var _S397 : u32;
-        if(is_left_6)
-        {
-            _S397 = left_6.index_11;
-        }
-        else
-        {
-            _S397 = right_5.index_11;
-        }
-        (*descent_6).index_15 = _S397;
+        (*descent_6).choice_0 = _S396 - _S397;
         var _S398 : u32;
         if(is_left_6)
         {
-            _S398 = left_6.count_1;
+            _S398 = (*descent_6).node_3 + u32(1);
         }
         else
         {
-            _S398 = right_5.count_1;
+            _S398 = (*descent_6).index_15;
         }
-        (*descent_6).count_2 = _S398;
-        var _S399 : bool;
+        (*descent_6).node_3 = _S398;
+        var _S399 : u32;
         if(is_left_6)
         {
-            _S399 = of_left_1.is_far_0;
+            _S399 = left_6.index_11;
         }
         else
         {
-            _S399 = of_right_1.is_far_0;
+            _S399 = right_5.index_11;
         }
-        (*descent_6).is_far_3 = _S399;
-        var _S400 : f32;
+        (*descent_6).index_15 = _S399;
+        var _S400 : u32;
         if(is_left_6)
         {
-            _S400 = _S390;
+            _S400 = left_6.count_1;
         }
         else
         {
-            _S400 = _S391;
+            _S400 = right_5.count_1;
         }
-        var _S401 : f32 = (*descent_6).weight_0 * _S400;
-        (*descent_6).weight_0 = _S401;
+        (*descent_6).count_2 = _S400;
+        var _S401 : bool;
+        if(is_left_6)
+        {
+            _S401 = of_left_1.is_far_0;
+        }
+        else
+        {
+            _S401 = of_right_1.is_far_0;
+        }
+        (*descent_6).is_far_3 = _S401;
+        var _S402 : f32;
+        if(is_left_6)
+        {
+            _S402 = _S392;
+        }
+        else
+        {
+            _S402 = _S393;
+        }
+        var _S403 : f32 = (*descent_6).weight_0 * _S402;
+        (*descent_6).weight_0 = _S403;
         (*descent_6).total_0 = (*descent_6).total_0 * total_8;
-        if(_S401 <= 0.0f)
+        if(_S403 <= 0.0f)
         {
             return false;
         }
@@ -6194,20 +6251,20 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     var sum_6 : f32 = normal_or_zero_0(BySide_sum_0(sent_1));
     var unit_3 : f32 = inverse_power_of_two_0(sum_6);
     var total_9 : f32 = sum_6 * unit_3;
-    var _S402 : f32 = way_6.choice_0 * total_9;
-    var _S403 : u32 = (*side_4);
+    var _S404 : f32 = way_6.choice_0 * total_9;
+    var _S405 : u32 = (*side_4);
     var share_8 : f32 = normal_or_zero_0(sent_1.low_10[u32(0)] * unit_3);
-    var _S404 : bool;
+    var _S406 : bool;
     if(is_met_3)
     {
-        _S404 = u32(0) == _S403;
+        _S406 = u32(0) == _S405;
     }
     else
     {
-        _S404 = share_8 > 0.0f;
+        _S406 = share_8 > 0.0f;
     }
     var chosen_8 : f32;
-    if(_S404)
+    if(_S406)
     {
         (*side_4) = u32(0);
         chosen_8 = share_8;
@@ -6216,108 +6273,138 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     {
         chosen_8 = 0.0f;
     }
-    var _S405 : bool = _S402 < (share_8 * way_6.weight_0);
+    var _S407 : bool = _S404 < (share_8 * way_6.weight_0);
     var share_9 : f32 = normal_or_zero_0(sent_1.high_4[u32(0)] * unit_3);
     if(is_met_3)
     {
-        _S404 = u32(1) == _S403;
+        _S406 = u32(1) == _S405;
     }
     else
     {
         if(share_9 > 0.0f)
         {
-            _S404 = !_S405;
+            _S406 = !_S407;
         }
         else
         {
-            _S404 = false;
+            _S406 = false;
         }
     }
-    if(_S404)
+    if(_S406)
     {
         (*side_4) = u32(1);
         chosen_8 = share_9;
     }
     var passed_4 : f32 = share_8 + share_9;
-    if(_S405)
+    if(_S407)
     {
-        _S404 = true;
+        _S406 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_4 * way_6.weight_0);
+        _S406 = _S404 < (passed_4 * way_6.weight_0);
     }
     var share_10 : f32 = normal_or_zero_0(sent_1.low_10[u32(1)] * unit_3);
-    var _S406 : bool;
+    var _S408 : bool;
     if(is_met_3)
     {
-        _S406 = u32(2) == _S403;
+        _S408 = u32(2) == _S405;
     }
     else
     {
         if(share_10 > 0.0f)
         {
-            _S406 = !_S404;
+            _S408 = !_S406;
         }
         else
         {
-            _S406 = false;
+            _S408 = false;
         }
     }
-    if(_S406)
+    if(_S408)
     {
         (*side_4) = u32(2);
         chosen_8 = share_10;
     }
     var passed_5 : f32 = passed_4 + share_10;
-    if(_S404)
+    if(_S406)
     {
-        _S404 = true;
+        _S406 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_5 * way_6.weight_0);
+        _S406 = _S404 < (passed_5 * way_6.weight_0);
     }
     var share_11 : f32 = normal_or_zero_0(sent_1.high_4[u32(1)] * unit_3);
     if(is_met_3)
     {
-        _S406 = u32(3) == _S403;
+        _S408 = u32(3) == _S405;
     }
     else
     {
         if(share_11 > 0.0f)
         {
-            _S406 = !_S404;
+            _S408 = !_S406;
         }
         else
         {
-            _S406 = false;
+            _S408 = false;
         }
     }
-    if(_S406)
+    if(_S408)
     {
         (*side_4) = u32(3);
         chosen_8 = share_11;
     }
     var passed_6 : f32 = passed_5 + share_11;
-    if(_S404)
+    if(_S406)
     {
-        _S404 = true;
+        _S406 = true;
     }
     else
     {
-        _S404 = _S402 < (passed_6 * way_6.weight_0);
+        _S406 = _S404 < (passed_6 * way_6.weight_0);
     }
     var share_12 : f32 = normal_or_zero_0(sent_1.low_10[u32(2)] * unit_3);
     if(is_met_3)
     {
-        _S406 = u32(4) == _S403;
+        _S408 = u32(4) == _S405;
     }
     else
     {
         if(share_12 > 0.0f)
         {
-            _S406 = !_S404;
+            _S408 = !_S406;
+        }
+        else
+        {
+            _S408 = false;
+        }
+    }
+    if(_S408)
+    {
+        (*side_4) = u32(4);
+        chosen_8 = share_12;
+    }
+    var passed_7 : f32 = passed_6 + share_12;
+    if(_S406)
+    {
+        _S406 = true;
+    }
+    else
+    {
+        _S406 = _S404 < (passed_7 * way_6.weight_0);
+    }
+    var share_13 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_3);
+    if(is_met_3)
+    {
+        _S406 = u32(5) == _S405;
+    }
+    else
+    {
+        if(share_13 > 0.0f)
+        {
+            _S406 = !_S406;
         }
         else
         {
@@ -6325,36 +6412,6 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
         }
     }
     if(_S406)
-    {
-        (*side_4) = u32(4);
-        chosen_8 = share_12;
-    }
-    var passed_7 : f32 = passed_6 + share_12;
-    if(_S404)
-    {
-        _S404 = true;
-    }
-    else
-    {
-        _S404 = _S402 < (passed_7 * way_6.weight_0);
-    }
-    var share_13 : f32 = normal_or_zero_0(sent_1.high_4[u32(2)] * unit_3);
-    if(is_met_3)
-    {
-        _S404 = u32(5) == _S403;
-    }
-    else
-    {
-        if(share_13 > 0.0f)
-        {
-            _S404 = !_S404;
-        }
-        else
-        {
-            _S404 = false;
-        }
-    }
-    if(_S404)
     {
         (*side_4) = u32(5);
         chosen_8 = share_13;
@@ -6362,13 +6419,13 @@ fn choose_side_1( point_7 : vec3<f32>,  is_met_3 : bool,  way_6 : Descent_0,  si
     (*odds_3) = vec2<f32>(way_6.weight_0 * chosen_8, way_6.total_0 * total_9);
     if(sum_6 > 0.0f)
     {
-        _S404 = ((*odds_3).x) > 0.0f;
+        _S406 = ((*odds_3).x) > 0.0f;
     }
     else
     {
-        _S404 = false;
+        _S406 = false;
     }
-    return _S404;
+    return _S406;
 }
 
 fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0,  sample_14 : ptr<function, LightSample_0>) -> bool
@@ -6380,45 +6437,45 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     }
     var descent_7 : Descent_0 = Descent_x24init_0(u32(0), u32(0), u32(0), 1.0f, 1.0f, u_22.x, false);
     Descent_at_2(&(descent_7), u32(0));
-    var _S407 : bool;
+    var _S409 : bool;
     if(!IS_SINGLE_0)
     {
-        _S407 = aim_7.is_met_0;
+        _S409 = aim_7.is_met_0;
     }
     else
     {
-        _S407 = false;
+        _S409 = false;
     }
-    if(_S407)
+    if(_S409)
     {
-        var _S408 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
-        if((_S408.light_leaf_0) == u32(4294967295))
+        var _S410 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(aim_7.hit_6.instance_0);
+        if((_S410.light_leaf_0) == u32(4294967295))
         {
-            _S407 = true;
+            _S409 = true;
         }
         else
         {
-            var _S409 : bool = climb_1(receiver_25, _S408.light_leaf_0, &(descent_7));
-            _S407 = !_S409;
+            var _S411 : bool = climb_1(receiver_25, _S410.light_leaf_0, &(descent_7));
+            _S409 = !_S411;
         }
-        if(_S407)
+        if(_S409)
         {
             return false;
         }
-        Descent_at_2(&(descent_7), _S408.light_leaf_0);
+        Descent_at_2(&(descent_7), _S410.light_leaf_0);
     }
     else
     {
         if(!IS_SINGLE_0)
         {
-            var _S410 : bool = descend_2(receiver_25, by_chance_0(), &(descent_7));
-            _S407 = !_S410;
+            var _S412 : bool = descend_2(receiver_25, by_chance_1(), &(descent_7));
+            _S409 = !_S412;
         }
         else
         {
-            _S407 = false;
+            _S409 = false;
         }
-        if(_S407)
+        if(_S409)
         {
             return false;
         }
@@ -6426,35 +6483,35 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
     var chosen_instance_1 : u32 = descent_7.index_15;
     var local_6 : Receiver_0 = in_grid_0(descent_7.index_15, receiver_25);
     Descent_at_3(&(descent_7), top_light_node_0(descent_7.node_3).root_1);
-    var _S411 : bool = descend_3(local_6, aim_7, &(descent_7));
-    if(!_S411)
+    var _S413 : bool = descend_3(local_6, aim_7, &(descent_7));
+    if(!_S413)
     {
         return false;
     }
     var side_5 : u32 = aim_7.hit_6.face_0;
     var odds_4 : vec2<f32>;
-    var _S412 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
-    if(!_S412)
+    var _S414 : bool = choose_side_1(local_6.point_0, aim_7.is_met_0, descent_7, &(side_5), &(odds_4));
+    if(!_S414)
     {
         return false;
     }
     var power_9 : f32 = light_power_at_0(descent_7.node_3, side_5);
-    var _S413 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
+    var _S415 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(chosen_instance_1);
     if(aim_7.is_met_0)
     {
-        var _S414 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S413.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
-        (*sample_14).pdf_2 = _S414;
-        return _S414 > 0.0f;
+        var _S416 : f32 = density_0(odds_4, aim_7.luminance_1, power_9, Transform_direction_0(_S415.grid_from_world_0, aim_7.direction_21) * vec3<f32>(aim_7.hit_6.t_0), side_5);
+        (*sample_14).pdf_2 = _S416;
+        return _S416 > 0.0f;
     }
     var emitter_2 : Emitter_0 = choose_emitter_0(descent_7, side_5, u_22.y * power_9);
-    var _S415 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
-    var on_face_1 : vec3<f32> = point_of_face_0(_S415, side_5, u_22.z, u_22.w);
+    var _S417 : vec3<f32> = vec3<f32>(cell_of_0(emitter_2.voxel_24));
+    var on_face_1 : vec3<f32> = point_of_face_0(_S417, side_5, u_22.z, u_22.w);
     var pdf_13 : f32 = density_0(odds_4, emitter_2.luminance_4, power_9, on_face_1 - local_6.point_0, side_5);
     if(pdf_13 < 0.0f)
     {
         return false;
     }
-    var direction_29 : vec3<f32> = Transform_point_0(_S413.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S413.grid_from_world_0.translation_0), _S415, side_5, on_face_1)) - receiver_25.point_0;
+    var direction_29 : vec3<f32> = Transform_point_0(_S415.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S415.grid_from_world_0.translation_0), _S417, side_5, on_face_1)) - receiver_25.point_0;
     var cos_theta_9 : f32 = with_slack_0(receiver_25, divide_0(dot_product_0(receiver_25.normal_2, direction_29), square_root_0(length_squared_0(direction_29))));
     (*sample_14) = LightSample_x24init_0(Ray_x24init_0(receiver_25.point_0, 0.0f, direction_29, 1.0f), cos_theta_9, emitted_0(material_of_index_0(emitter_2.material_6)), pdf_13);
     return cos_theta_9 > 0.0f;
@@ -6462,8 +6519,8 @@ fn sample_emitter_1( receiver_25 : Receiver_0,  u_22 : vec4<f32>,  aim_7 : Aim_0
 
 fn EmitterTree_sample_1( receiver_26 : Receiver_0,  u_23 : vec4<f32>,  aim_8 : Aim_0,  sample_15 : ptr<function, LightSample_0>) -> bool
 {
-    var _S416 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
-    return _S416;
+    var _S418 : bool = sample_emitter_1(receiver_26, u_23, aim_8, &((*sample_15)));
+    return _S418;
 }
 
 fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 : vec4<f32>,  aim_9 : Aim_0,  sample_16 : ptr<function, LightSample_0>) -> bool
@@ -6487,9 +6544,9 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
     }
     if(is_found_11)
     {
-        var _S417 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
+        var _S419 : bool = SunDisc_sample_1(receiver_27, u_24, &((*sample_16)));
         (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sun_0;
-        is_found_11 = _S417;
+        is_found_11 = _S419;
     }
     else
     {
@@ -6511,15 +6568,15 @@ fn Lights_sample_1( receiver_27 : Receiver_0,  selection_4 : Selection_0,  u_24 
         }
         if(is_found_11)
         {
-            var _S418 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
+            var _S420 : bool = Sky_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - selection_4.sun_0, selection_4.sky_1), 0.99999994039535522f), u_24.yzw), &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.sky_1;
-            is_found_11 = _S418;
+            is_found_11 = _S420;
         }
         else
         {
-            var _S419 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
+            var _S421 : bool = EmitterTree_sample_1(receiver_27, vec4<f32>(min(divide_0(u_24.x - (selection_4.sun_0 + selection_4.sky_1), selection_4.emitters_0), 0.99999994039535522f), u_24.yzw), aim_9, &((*sample_16)));
             (*sample_16).pdf_2 = (*sample_16).pdf_2 * selection_4.emitters_0;
-            is_found_11 = _S419;
+            is_found_11 = _S421;
         }
     }
     return is_found_11;
@@ -6539,8 +6596,8 @@ fn Diffuse_sample_1( this_55 : Diffuse_0,  wo_8 : vec3<f32>,  u_25 : vec3<f32>, 
 
 fn MaterialBsdf_sample_1( this_56 : MaterialBsdf_0,  wo_9 : vec3<f32>,  u_26 : vec3<f32>,  sample_18 : ptr<function, BsdfSample_0>) -> bool
 {
-    var _S420 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
-    return _S420;
+    var _S422 : bool = Diffuse_sample_1(Diffuse_x24init_0(this_56.color_0), wo_9, u_26, &((*sample_18)));
+    return _S422;
 }
 
 fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  hit_16 : Hit_0,  beyond_8 : u32,  radiance_6 : ptr<function, vec3<f32>>) -> NextRays_0
@@ -6635,7 +6692,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     var u_27 : vec4<f32> = Sampler_stratified_0((*path_11).sampler_0, Path_dimension_scatter_0((*path_11)));
     var material_15 : PackedMaterial_0 = material_met_0((*path_11), hit_16, beyond_8);
-    var _S421 : vec3<f32> = vec3<f32>(0.0f);
+    var _S423 : vec3<f32> = vec3<f32>(0.0f);
     var le_3 : vec3<f32>;
     if(!is_counted_1)
     {
@@ -6643,14 +6700,14 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     }
     else
     {
-        le_3 = _S421;
+        le_3 = _S423;
     }
-    var is_lit_1 : bool = (max_element_0(le_3)) > 0.0f;
+    var is_lit_3 : bool = (max_element_0(le_3)) > 0.0f;
     var met_1 : Aim_0 = Aim_x24init_0(true, ray_24.direction_0, hit_16, luminance_0(vector_of_0(material_15.emission_0)));
-    var _S422 : bool = weighs_apart_0();
-    if(_S422)
+    var _S424 : bool = weighs_apart_0();
+    if(_S424)
     {
-        is_weighed_1 = is_lit_1;
+        is_weighed_1 = is_lit_3;
     }
     else
     {
@@ -6665,7 +6722,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         is_weighed_1 = false;
     }
     var is_chosen_1 : bool;
-    if(is_lit_1)
+    if(is_lit_3)
     {
         is_chosen_1 = !is_weighed_1;
     }
@@ -6676,7 +6733,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     if(is_chosen_1)
     {
         var light_9 : LightSample_0 = no_light_0();
-        if(!_S422)
+        if(!_S424)
         {
             is_chosen_1 = ((*path_11).pdf_1) > 0.0f;
         }
@@ -6686,15 +6743,15 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         }
         if(is_chosen_1)
         {
-            var _S423 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
-            is_chosen_1 = _S423;
+            var _S425 : bool = Lights_sample_1(last_6, Path_selection_at_0((*path_11), last_6), vec4<f32>(0.0f), met_1, &(light_9));
+            is_chosen_1 = _S425;
         }
         else
         {
             is_chosen_1 = false;
         }
-        var _S424 : vec3<f32> = (*path_11).beta_0 * le_3;
-        var _S425 : f32 = (*path_11).pdf_1;
+        var _S426 : vec3<f32> = (*path_11).beta_0 * le_3;
+        var _S427 : f32 = (*path_11).pdf_1;
         if(is_chosen_1)
         {
             light_pdf_2 = light_9.pdf_2;
@@ -6703,13 +6760,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         {
             light_pdf_2 = 0.0f;
         }
-        (*radiance_6) = (*radiance_6) + _S424 * vec3<f32>(mis_weight_0(_S425, light_pdf_2));
+        (*radiance_6) = (*radiance_6) + _S426 * vec3<f32>(mis_weight_0(_S427, light_pdf_2));
     }
-    var _S426 : f32 = ior_of_0((*path_11).inside_0);
-    var _S427 : f32 = u_27[i32(3)];
-    var _S428 : MaterialBsdf_0 = bsdf_of_1(material_15, _S426, &(_S427));
-    u_27[i32(3)] = _S427;
-    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S428);
+    var _S428 : f32 = ior_of_0((*path_11).inside_0);
+    var _S429 : f32 = u_27[i32(3)];
+    var _S430 : MaterialBsdf_0 = bsdf_of_1(material_15, _S428, &(_S429));
+    u_27[i32(3)] = _S429;
+    var scattered_3 : vec3<f32> = (*path_11).beta_0 * MaterialBsdf_albedo_0(_S430);
     if(((*path_11).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_1 = true;
@@ -6718,8 +6775,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         is_chosen_1 = ends_here_0;
     }
-    var _S429 : bool = !is_weighed_1;
-    if(_S429)
+    var _S431 : bool = !is_weighed_1;
+    if(_S431)
     {
         if(is_chosen_1)
         {
@@ -6739,7 +6796,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var compensation_3 : f32 = roulette_0(Path_events_0((*path_11)), scattered_3, u_27.z);
-    if(_S429)
+    if(_S431)
     {
         is_chosen_1 = compensation_3 == 0.0f;
     }
@@ -6761,19 +6818,19 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         at_9 = hit_16;
     }
     var surface_4 : Surface_0 = surface_of_0(ray_24, at_9);
-    var _S430 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
-    var _S431 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
-    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S431);
+    var _S432 : Receiver_0 = Receiver_x24init_0(surface_4.origin_11, surface_4.normal_3);
+    var _S433 : vec3<f32> = (vec3<f32>(0) - ray_24.direction_0);
+    var wo_10 : vec3<f32> = Surface_local_direction_0(surface_4, _S433);
     var inside_6 : Inside_0 = in_air_0();
     var wo_11 : vec3<f32>;
     var receiver_28 : Receiver_0;
     if(is_scattered_3)
     {
-        var _S432 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
-        inside_6 = _S432;
-        var _S433 : vec3<f32> = normalize_vector_0(_S431);
-        receiver_28 = Receiver_x24init_0(Inside_point_0(_S432, ray_24, t_16), _S421);
-        wo_11 = _S433;
+        var _S434 : Inside_0 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
+        inside_6 = _S434;
+        var _S435 : vec3<f32> = normalize_vector_0(_S433);
+        receiver_28 = Receiver_x24init_0(Inside_point_0(_S434, ray_24, t_16), _S423);
+        wo_11 = _S435;
     }
     else
     {
@@ -6783,7 +6840,7 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
             inside_6 = Inside_x24init_0((*path_11).inside_0.instance_6, hit_16.voxel_0, (*path_11).inside_0.material_0);
             inside_6.voxel_22 = hit_16.voxel_0 + vec3<i32>(face_normal_0(hit_16.face_0));
         }
-        receiver_28 = _S430;
+        receiver_28 = _S432;
         wo_11 = wo_10;
     }
     next_3.origin_9 = receiver_28.point_0;
@@ -6792,13 +6849,13 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     {
         receiver_28 = last_6;
     }
-    if(_S429)
+    if(_S431)
     {
         (*path_11).selection_0 = Lights_selection_0(receiver_28);
     }
     var light_10 : LightSample_0 = no_light_0();
-    var _S434 : bool = !MaterialBsdf_is_delta_0(_S428);
-    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S428, wo_11, compensation_3, is_scattered_3, _S434);
+    var _S436 : bool = !MaterialBsdf_is_delta_0(_S430);
+    scatter_of_path_0 = Scatter_x24init_0((*path_11), receiver_28, surface_4, _S430, wo_11, compensation_3, is_scattered_3, _S436);
     if(is_weighed_1)
     {
         if(next_3.has_shadow_ray_0)
@@ -6815,8 +6872,8 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
         return next_3;
     }
     var bounce_2 : BsdfSample_0;
-    var _S435 : bool = MaterialBsdf_sample_1(_S428, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
-    if(!_S435)
+    var _S437 : bool = MaterialBsdf_sample_1(_S430, wo_11, vec3<f32>(u_27.xy, u_27.w), &(bounce_2));
+    if(!_S437)
     {
         return next_3;
     }
@@ -6841,91 +6898,147 @@ fn PathTracingOf_advance_1( path_11 : ptr<function, Path_0>,  ray_24 : Ray_0,  h
     return next_3;
 }
 
-fn show_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  sample_19 : ptr<function, Sample_0>)
+fn show_1( path_12 : Path_0,  ray_25 : Ray_0,  hit_17 : Hit_0,  beyond_9 : u32,  is_lit_4 : bool,  sample_19 : ptr<function, Sample_0>)
 {
-    var _S436 : Path_0 = path_12;
+    var _S438 : Path_0 = path_12;
     (*sample_19).is_shown_0 = true;
-    if(Inside_is_in_0(_S436.inside_0))
+    if(Inside_is_in_0(_S438.inside_0))
     {
-        absorb_1(&(_S436), _S436.inside_0, ray_25, hit_17.t_0);
+        absorb_1(&(_S438), _S438.inside_0, ray_25, hit_17.t_0);
     }
-    var material_16 : PackedMaterial_0 = material_met_0(_S436, hit_17, beyond_9);
+    var material_16 : PackedMaterial_0 = material_met_0(_S438, hit_17, beyond_9);
     (*sample_19).normal_1 = in_ten_bits_0(shading_normal_0(ray_25, hit_17, material_16));
-    (*sample_19).albedo_0 = _S436.beta_0 * albedo_of_0(material_16);
+    var _S439 : vec3<f32> = _S438.beta_0;
+    var _S440 : vec3<f32>;
+    if(!is_lit_4)
+    {
+        _S440 = albedo_of_0(material_16);
+    }
+    else
+    {
+        _S440 = vec3<f32>(1.0f);
+    }
+    (*sample_19).albedo_0 = _S439 * _S440;
     return;
 }
 
 fn Walker_see_1( this_57 : ptr<function, Walker_0>,  arrived_2 : Path_0,  hit_18 : Hit_0,  beyond_10 : u32,  emitted_3 : vec3<f32>,  goes_on_3 : bool,  sample_20 : ptr<function, Sample_0>)
 {
-    (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
-    var _S437 : bool;
+    var is_lit_5 : bool;
+    if((*this_57).by_chance_0)
+    {
+        is_lit_5 = (max_element_0(emitted_3)) > 0.0f;
+    }
+    else
+    {
+        is_lit_5 = false;
+    }
+    if(is_lit_5)
+    {
+        (*sample_20).light_1 = (*sample_20).light_1 + emitted_3;
+    }
+    else
+    {
+        (*sample_20).direct_0 = (*sample_20).direct_0 + emitted_3;
+    }
+    var _S441 : bool;
     if((*this_57).sees_mover_0)
     {
-        _S437 = true;
+        _S441 = true;
     }
     else
     {
         if(!Hit_is_miss_0(hit_18))
         {
-            _S437 = is_mover_0(hit_18.instance_0);
+            _S441 = is_mover_0(hit_18.instance_0);
         }
         else
         {
-            _S437 = false;
+            _S441 = false;
         }
     }
-    (*this_57).sees_mover_0 = _S437;
-    var _S438 : bool = ((*this_57).path_0.bounce_0) == u32(0);
+    (*this_57).sees_mover_0 = _S441;
+    var _S442 : bool = ((*this_57).path_0.bounce_0) == u32(0);
     if(goes_on_3)
     {
-        _S437 = _S438;
+        _S441 = _S442;
     }
     else
     {
-        _S437 = false;
+        _S441 = false;
     }
-    var _S439 : bool = !_S437;
-    (*this_57).has_shown_0 = _S439;
-    if(!_S439)
+    var _S443 : bool = !_S441;
+    (*this_57).has_shown_0 = _S443;
+    if(!_S443)
     {
+        if((*this_57).by_chance_0)
+        {
+            is_lit_5 = true;
+        }
+        else
+        {
+            if((any((((*this_57).path_0.normal_0) != vec3<f32>(0.0f)))))
+            {
+                if(Inside_is_in_0(arrived_2.inside_0))
+                {
+                    is_lit_5 = true;
+                }
+                else
+                {
+                    is_lit_5 = (material_met_0(arrived_2, hit_18, beyond_10).metallic_0) < 1.0f;
+                }
+            }
+            else
+            {
+                is_lit_5 = false;
+            }
+        }
+        (*this_57).by_chance_0 = is_lit_5;
         (*this_57).way_3 = (*this_57).way_3 + hit_18.t_0;
     }
     else
     {
-        var _S440 : u32;
+        var _S444 : u32;
         if(!Hit_is_miss_0(hit_18))
         {
-            show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, &((*sample_20)));
+            show_1(arrived_2, (*this_57).ray_7, hit_18, beyond_10, is_lit_5, &((*sample_20)));
             (*sample_20).place_0 = (*this_57).camera_ray_0.origin_0 + (*this_57).camera_ray_0.direction_0 * vec3<f32>(((*this_57).way_3 + hit_18.t_0));
             if(((*this_57).way_3) > 0.0f)
             {
                 if((*this_57).sees_mover_0)
                 {
-                    _S440 = u32(4294967295);
+                    _S444 = u32(4294967295);
                 }
                 else
                 {
-                    _S440 = u32(4294967294);
+                    _S444 = u32(4294967294);
                 }
             }
             else
             {
-                _S440 = hit_18.instance_0;
+                _S444 = hit_18.instance_0;
             }
-            (*sample_20).instance_7 = _S440;
+            (*sample_20).instance_7 = _S444;
         }
         else
         {
             (*sample_20).albedo_0 = vec3<f32>(0.0f);
             if((*this_57).sees_mover_0)
             {
-                _S440 = u32(4294967295);
+                _S444 = u32(4294967295);
             }
             else
             {
-                _S440 = u32(4294967294);
+                _S444 = u32(4294967294);
             }
-            (*sample_20).instance_7 = _S440;
+            (*sample_20).instance_7 = _S444;
+            if(is_lit_5)
+            {
+                (*sample_20).is_shown_0 = true;
+                (*sample_20).albedo_0 = arrived_2.beta_0;
+                (*sample_20).normal_1 = in_ten_bits_0(normalize_vector_0((vec3<f32>(0) - (*this_57).camera_ray_0.direction_0)));
+                (*sample_20).place_0 = (*this_57).camera_ray_0.origin_0 + (*this_57).camera_ray_0.direction_0 * vec3<f32>((*this_57).way_3);
+            }
         }
     }
     return;
@@ -6956,29 +7069,29 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         var dimension_4 : u32 = u32(1073741824) + u32(64) * Path_events_0(scatter_1.path_3) + u32(2) * candidate_1;
         var u_28 : vec4<f32>;
-        var _S441 : vec4<f32>;
+        var _S445 : vec4<f32>;
         if(candidate_1 == u32(0))
         {
-            _S441 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
+            _S445 = Sampler_stratified_0(scatter_1.path_3.sampler_0, Path_dimension_light_0(scatter_1.path_3));
         }
         else
         {
-            _S441 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
+            _S445 = Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4);
         }
-        u_28 = _S441;
-        var _S442 : bool = count_6 > u32(1);
-        if(_S442)
+        u_28 = _S445;
+        var _S446 : bool = count_6 > u32(1);
+        if(_S446)
         {
             u_28[i32(0)] = min((f32(candidate_1) + u_28.x) * divide_0(1.0f, f32(count_6)), 0.99999994039535522f);
         }
         var light_11 : LightSample_0 = no_light_0();
-        var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_0(), &(light_11));
+        var is_found_12 : bool = Lights_sample_1(scatter_1.receiver_0, scatter_1.path_3.selection_0, u_28, by_chance_1(), &(light_11));
         if(!is_found_12)
         {
             candidate_1 = candidate_1 + u32(1);
             continue;
         }
-        var _S443 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
+        var _S447 : vec3<f32> = vec3<f32>(Surface_local_direction_0(scatter_1.surface_0, light_11.ray_13.direction_0).xy, light_11.cos_theta_1);
         var wi_7 : vec3<f32>;
         if(scatter_1.is_scattered_0)
         {
@@ -6986,41 +7099,41 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         }
         else
         {
-            wi_7 = _S443;
+            wi_7 = _S447;
         }
         var eval_1 : BsdfEval_0 = MaterialBsdf_eval_0(scatter_1.bsdf_0, scatter_1.wo_0, wi_7);
-        var _S444 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
-        var weight_9 : f32 = luminance_0(_S444);
-        var _S445 : bool;
+        var _S448 : vec3<f32> = scatter_1.path_3.beta_0 * eval_1.weight_5 * vec3<f32>(scatter_1.compensation_0) * light_11.radiance_1 * vec3<f32>((divide_0(eval_1.pdf_10, light_11.pdf_2) * power_heuristic_0(light_11.pdf_2, eval_1.pdf_10)));
+        var weight_9 : f32 = luminance_0(_S448);
+        var _S449 : bool;
         if(weighs_candidates_0)
         {
-            _S445 = _S442;
+            _S449 = _S446;
         }
         else
         {
-            _S445 = false;
+            _S449 = false;
         }
         var weight_10 : f32;
-        if(_S445)
+        if(_S449)
         {
-            var _S446 : f32 = visibility_0(light_11.ray_13);
-            weight_10 = weight_9 * _S446;
+            var _S450 : f32 = visibility_0(light_11.ray_13);
+            weight_10 = weight_9 * _S450;
         }
         else
         {
             weight_10 = weight_9;
         }
         var sum_8 : f32 = sum_7 + weight_10;
-        var _S447 : bool;
-        if(_S442)
+        var _S451 : bool;
+        if(_S446)
         {
-            _S447 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
+            _S451 = (Sampler_independent_0(scatter_1.path_3.sampler_0, dimension_4 + u32(1)).x * sum_8) >= weight_10;
         }
         else
         {
-            _S447 = false;
+            _S451 = false;
         }
-        if(_S447)
+        if(_S451)
         {
             sum_7 = sum_8;
             candidate_1 = candidate_1 + u32(1);
@@ -7031,7 +7144,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         {
             (*next_4).shadow_direction_0 = light_11.ray_13.direction_0;
             (*next_4).shadow_t_max_0 = light_11.ray_13.t_max_0;
-            (*next_4).light_2 = _S444;
+            (*next_4).light_2 = _S448;
             chosen_10 = weight_10;
         }
         else
@@ -7042,9 +7155,9 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
         sum_7 = sum_8;
         candidate_1 = candidate_1 + u32(1);
     }
-    var _S448 : bool = chosen_9 > 0.0f;
-    (*next_4).has_shadow_ray_0 = _S448;
-    if(_S448)
+    var _S452 : bool = chosen_9 > 0.0f;
+    (*next_4).has_shadow_ray_0 = _S452;
+    if(_S452)
     {
         (*next_4).light_2 = (*next_4).light_2 * vec3<f32>(divide_0(sum_7, chosen_9 * f32(count_6)));
     }
@@ -7054,7 +7167,7 @@ fn choose_light_1( scatter_1 : Scatter_0,  next_4 : ptr<function, NextRays_0>)
 fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 : u32,  sample_21 : ptr<function, Sample_0>) -> bool
 {
     var next_5 : NextRays_0 = no_rays_0();
-    var _S449 : bool = (*at_10).is_at_cell_0;
+    var _S453 : bool = (*at_10).is_at_cell_0;
     var goes_on_4 : bool;
     if((*at_10).is_at_cell_0)
     {
@@ -7065,8 +7178,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     }
     else
     {
-        var _S450 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_1 : vec3<f32> = _S450;
+        var _S454 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_1 : vec3<f32> = _S454;
         if((*at_10).has_shown_0)
         {
             goes_on_4 = (*at_10).asks_cache_0;
@@ -7077,8 +7190,8 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         if(goes_on_4)
         {
-            var _S451 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
-            goes_on_4 = _S451;
+            var _S455 : bool = asks_1((*at_10).path_0, (*at_10).ray_7, hit_19, beyond_11, (*at_10).life_0, &(cached_1));
+            goes_on_4 = _S455;
         }
         else
         {
@@ -7086,12 +7199,12 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
         }
         ends_here_0 = goes_on_4;
         var arrived_3 : Path_0 = (*at_10).path_0;
-        var emitted_4 : vec3<f32> = _S450;
-        var _S452 : Path_0 = (*at_10).path_0;
-        var _S453 : NextRays_0 = PathTracingOf_advance_1(&(_S452), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
-        (*at_10).path_0 = _S452;
-        next_5 = _S453;
-        var goes_on_5 : bool = (any(((next_5.direction_5) != _S450)));
+        var emitted_4 : vec3<f32> = _S454;
+        var _S456 : Path_0 = (*at_10).path_0;
+        var _S457 : NextRays_0 = PathTracingOf_advance_1(&(_S456), (*at_10).ray_7, hit_19, beyond_11, &(emitted_4));
+        (*at_10).path_0 = _S456;
+        next_5 = _S457;
+        var goes_on_5 : bool = (any(((next_5.direction_5) != _S454)));
         if((*at_10).has_shown_0)
         {
             (*sample_21).light_1 = (*sample_21).light_1 + (cached_1 + emitted_4);
@@ -7106,44 +7219,44 @@ fn goes_on_from_1( at_10 : ptr<function, Walker_0>,  hit_19 : Hit_0,  beyond_11 
     {
         choose_light_1(scatter_of_path_0, &(next_5));
     }
-    if(!_S449)
+    if(!_S453)
     {
-        var _S454 : bool;
+        var _S458 : bool;
         if(counts_arrivals_0)
         {
-            _S454 = next_5.has_shadow_ray_0;
+            _S458 = next_5.has_shadow_ray_0;
         }
         else
         {
-            _S454 = false;
+            _S458 = false;
         }
-        if(_S454)
+        if(_S458)
         {
-            _S454 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
+            _S458 = (Path_events_0(scatter_of_path_0.path_3)) == u32(0);
         }
         else
         {
-            _S454 = false;
+            _S458 = false;
         }
-        if(_S454)
+        if(_S458)
         {
-            _S454 = !scatter_of_path_0.is_scattered_0;
+            _S458 = !scatter_of_path_0.is_scattered_0;
         }
         else
         {
-            _S454 = false;
+            _S458 = false;
         }
-        if(_S454)
+        if(_S458)
         {
-            _S454 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
+            _S458 = !Inside_is_in_0(scatter_of_path_0.path_3.inside_0);
         }
         else
         {
-            _S454 = false;
+            _S458 = false;
         }
-        (*at_10).counts_0 = _S454;
+        (*at_10).counts_0 = _S458;
     }
-    if(_S449)
+    if(_S453)
     {
         (*at_10).path_0.bounce_0 = u32(1);
         (*at_10).path_0.event_0 = u32(1);
@@ -7262,7 +7375,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     var u_29 : vec4<f32> = Sampler_stratified_0((*path_13).sampler_0, Path_dimension_scatter_0((*path_13)));
     var material_17 : PackedMaterial_0 = material_met_0((*path_13), hit_20, beyond_12);
-    var _S455 : vec3<f32> = vec3<f32>(0.0f);
+    var _S459 : vec3<f32> = vec3<f32>(0.0f);
     var le_5 : vec3<f32>;
     if(!is_counted_2)
     {
@@ -7270,14 +7383,14 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     }
     else
     {
-        le_5 = _S455;
+        le_5 = _S459;
     }
-    var is_lit_2 : bool = (max_element_0(le_5)) > 0.0f;
+    var is_lit_6 : bool = (max_element_0(le_5)) > 0.0f;
     var met_2 : Aim_0 = Aim_x24init_0(true, ray_26.direction_0, hit_20, luminance_0(vector_of_0(material_17.emission_0)));
-    var _S456 : bool = weighs_apart_0();
-    if(_S456)
+    var _S460 : bool = weighs_apart_0();
+    if(_S460)
     {
-        is_weighed_2 = is_lit_2;
+        is_weighed_2 = is_lit_6;
     }
     else
     {
@@ -7292,7 +7405,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         is_weighed_2 = false;
     }
     var is_chosen_2 : bool;
-    if(is_lit_2)
+    if(is_lit_6)
     {
         is_chosen_2 = !is_weighed_2;
     }
@@ -7303,7 +7416,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     if(is_chosen_2)
     {
         var light_12 : LightSample_0 = no_light_0();
-        if(!_S456)
+        if(!_S460)
         {
             is_chosen_2 = ((*path_13).pdf_1) > 0.0f;
         }
@@ -7313,15 +7426,15 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         }
         if(is_chosen_2)
         {
-            var _S457 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
-            is_chosen_2 = _S457;
+            var _S461 : bool = Lights_sample_1(last_7, Path_selection_at_0((*path_13), last_7), vec4<f32>(0.0f), met_2, &(light_12));
+            is_chosen_2 = _S461;
         }
         else
         {
             is_chosen_2 = false;
         }
-        var _S458 : vec3<f32> = (*path_13).beta_0 * le_5;
-        var _S459 : f32 = (*path_13).pdf_1;
+        var _S462 : vec3<f32> = (*path_13).beta_0 * le_5;
+        var _S463 : f32 = (*path_13).pdf_1;
         if(is_chosen_2)
         {
             light_pdf_3 = light_12.pdf_2;
@@ -7330,13 +7443,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         {
             light_pdf_3 = 0.0f;
         }
-        (*radiance_7) = (*radiance_7) + _S458 * vec3<f32>(mis_weight_0(_S459, light_pdf_3));
+        (*radiance_7) = (*radiance_7) + _S462 * vec3<f32>(mis_weight_0(_S463, light_pdf_3));
     }
-    var _S460 : f32 = ior_of_0((*path_13).inside_0);
-    var _S461 : f32 = u_29[i32(3)];
-    var _S462 : MaterialBsdf_0 = bsdf_of_1(material_17, _S460, &(_S461));
-    u_29[i32(3)] = _S461;
-    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S462);
+    var _S464 : f32 = ior_of_0((*path_13).inside_0);
+    var _S465 : f32 = u_29[i32(3)];
+    var _S466 : MaterialBsdf_0 = bsdf_of_1(material_17, _S464, &(_S465));
+    u_29[i32(3)] = _S465;
+    var scattered_4 : vec3<f32> = (*path_13).beta_0 * MaterialBsdf_albedo_0(_S466);
     if(((*path_13).bounce_0) >= (params_0.max_bounces_0))
     {
         is_chosen_2 = true;
@@ -7345,8 +7458,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         is_chosen_2 = ends_here_0;
     }
-    var _S463 : bool = !is_weighed_2;
-    if(_S463)
+    var _S467 : bool = !is_weighed_2;
+    if(_S467)
     {
         if(is_chosen_2)
         {
@@ -7366,7 +7479,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var compensation_4 : f32 = roulette_0(Path_events_0((*path_13)), scattered_4, u_29.z);
-    if(_S463)
+    if(_S467)
     {
         is_chosen_2 = compensation_4 == 0.0f;
     }
@@ -7388,19 +7501,19 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         at_11 = hit_20;
     }
     var surface_5 : Surface_0 = surface_of_0(ray_26, at_11);
-    var _S464 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
-    var _S465 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
-    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S465);
+    var _S468 : Receiver_0 = Receiver_x24init_0(surface_5.origin_11, surface_5.normal_3);
+    var _S469 : vec3<f32> = (vec3<f32>(0) - ray_26.direction_0);
+    var wo_12 : vec3<f32> = Surface_local_direction_0(surface_5, _S469);
     var inside_7 : Inside_0 = in_air_0();
     var wo_13 : vec3<f32>;
     var receiver_29 : Receiver_0;
     if(is_scattered_4)
     {
-        var _S466 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
-        inside_7 = _S466;
-        var _S467 : vec3<f32> = normalize_vector_0(_S465);
-        receiver_29 = Receiver_x24init_0(Inside_point_0(_S466, ray_26, t_17), _S455);
-        wo_13 = _S467;
+        var _S470 : Inside_0 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
+        inside_7 = _S470;
+        var _S471 : vec3<f32> = normalize_vector_0(_S469);
+        receiver_29 = Receiver_x24init_0(Inside_point_0(_S470, ray_26, t_17), _S459);
+        wo_13 = _S471;
     }
     else
     {
@@ -7410,7 +7523,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
             inside_7 = Inside_x24init_0((*path_13).inside_0.instance_6, hit_20.voxel_0, (*path_13).inside_0.material_0);
             inside_7.voxel_22 = hit_20.voxel_0 + vec3<i32>(face_normal_0(hit_20.face_0));
         }
-        receiver_29 = _S464;
+        receiver_29 = _S468;
         wo_13 = wo_12;
     }
     next_6.origin_9 = receiver_29.point_0;
@@ -7419,13 +7532,13 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
     {
         receiver_29 = last_7;
     }
-    if(_S463)
+    if(_S467)
     {
         (*path_13).selection_0 = Lights_selection_0(receiver_29);
     }
     var light_13 : LightSample_0 = no_light_0();
-    var _S468 : bool = !MaterialBsdf_is_delta_0(_S462);
-    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S462, wo_13, compensation_4, is_scattered_4, _S468);
+    var _S472 : bool = !MaterialBsdf_is_delta_0(_S466);
+    scatter_of_path_0 = Scatter_x24init_0((*path_13), receiver_29, surface_5, _S466, wo_13, compensation_4, is_scattered_4, _S472);
     if(is_weighed_2)
     {
         if(next_6.has_shadow_ray_0)
@@ -7442,8 +7555,8 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
         return next_6;
     }
     var bounce_3 : BsdfSample_0;
-    var _S469 : bool = MaterialBsdf_sample_1(_S462, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
-    if(!_S469)
+    var _S473 : bool = MaterialBsdf_sample_1(_S466, wo_13, vec3<f32>(u_29.xy, u_29.w), &(bounce_3));
+    if(!_S473)
     {
         return next_6;
     }
@@ -7471,7 +7584,7 @@ fn PathTracingOf_advance_2( path_13 : ptr<function, Path_0>,  ray_26 : Ray_0,  h
 fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 : u32,  sample_22 : ptr<function, Sample_0>) -> bool
 {
     var next_7 : NextRays_0 = no_rays_0();
-    var _S470 : bool = (*at_12).is_at_cell_0;
+    var _S474 : bool = (*at_12).is_at_cell_0;
     var goes_on_6 : bool;
     if((*at_12).is_at_cell_0)
     {
@@ -7482,8 +7595,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
     }
     else
     {
-        var _S471 : vec3<f32> = vec3<f32>(0.0f);
-        var cached_2 : vec3<f32> = _S471;
+        var _S475 : vec3<f32> = vec3<f32>(0.0f);
+        var cached_2 : vec3<f32> = _S475;
         if((*at_12).has_shown_0)
         {
             goes_on_6 = (*at_12).asks_cache_0;
@@ -7494,8 +7607,8 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         if(goes_on_6)
         {
-            var _S472 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
-            goes_on_6 = _S472;
+            var _S476 : bool = asks_1((*at_12).path_0, (*at_12).ray_7, hit_21, beyond_13, (*at_12).life_0, &(cached_2));
+            goes_on_6 = _S476;
         }
         else
         {
@@ -7503,12 +7616,12 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         ends_here_0 = goes_on_6;
         var arrived_4 : Path_0 = (*at_12).path_0;
-        var emitted_5 : vec3<f32> = _S471;
-        var _S473 : Path_0 = (*at_12).path_0;
-        var _S474 : NextRays_0 = PathTracingOf_advance_1(&(_S473), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
-        (*at_12).path_0 = _S473;
-        next_7 = _S474;
-        var goes_on_7 : bool = (any(((next_7.direction_5) != _S471)));
+        var emitted_5 : vec3<f32> = _S475;
+        var _S477 : Path_0 = (*at_12).path_0;
+        var _S478 : NextRays_0 = PathTracingOf_advance_1(&(_S477), (*at_12).ray_7, hit_21, beyond_13, &(emitted_5));
+        (*at_12).path_0 = _S477;
+        next_7 = _S478;
+        var goes_on_7 : bool = (any(((next_7.direction_5) != _S475)));
         if((*at_12).has_shown_0)
         {
             (*sample_22).light_1 = (*sample_22).light_1 + (cached_2 + emitted_5);
@@ -7519,7 +7632,7 @@ fn goes_on_from_2( at_12 : ptr<function, Walker_0>,  hit_21 : Hit_0,  beyond_13 
         }
         goes_on_6 = goes_on_7;
     }
-    if(_S470)
+    if(_S474)
     {
         (*at_12).path_0.bounce_0 = u32(1);
         (*at_12).path_0.event_0 = u32(1);
@@ -7561,22 +7674,22 @@ fn Rows_operatorx5Bx5D_get_6( row_10 : u32) -> vec4<u32>
 
 fn InstanceNodes_operatorx5Bx5D_get_0( index_30 : u32) -> InstanceNode_0
 {
-    var _S475 : u32 = u32(2) * index_30;
-    var _S476 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S475);
-    var _S477 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S475 + u32(1));
+    var _S479 : u32 = u32(2) * index_30;
+    var _S480 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S479);
+    var _S481 : vec4<u32> = Rows_operatorx5Bx5D_get_6(_S479 + u32(1));
     var node_14 : InstanceNode_0;
-    var _S478 : f32 = (bitcast<f32>((_S476.y)));
-    var _S479 : f32 = (bitcast<f32>((_S476.z)));
-    node_14.min_2[i32(0)] = (bitcast<f32>((_S476.x)));
-    node_14.min_2[i32(1)] = _S478;
-    node_14.min_2[i32(2)] = _S479;
-    node_14.index_29 = _S476.w;
-    var _S480 : f32 = (bitcast<f32>((_S477.y)));
-    var _S481 : f32 = (bitcast<f32>((_S477.z)));
-    node_14.max_2[i32(0)] = (bitcast<f32>((_S477.x)));
-    node_14.max_2[i32(1)] = _S480;
-    node_14.max_2[i32(2)] = _S481;
-    node_14.is_leaf_0 = _S477.w;
+    var _S482 : f32 = (bitcast<f32>((_S480.y)));
+    var _S483 : f32 = (bitcast<f32>((_S480.z)));
+    node_14.min_2[i32(0)] = (bitcast<f32>((_S480.x)));
+    node_14.min_2[i32(1)] = _S482;
+    node_14.min_2[i32(2)] = _S483;
+    node_14.index_29 = _S480.w;
+    var _S484 : f32 = (bitcast<f32>((_S481.y)));
+    var _S485 : f32 = (bitcast<f32>((_S481.z)));
+    node_14.max_2[i32(0)] = (bitcast<f32>((_S481.x)));
+    node_14.max_2[i32(1)] = _S484;
+    node_14.max_2[i32(2)] = _S485;
+    node_14.is_leaf_0 = _S481.w;
     return node_14;
 }
 
@@ -7584,17 +7697,17 @@ fn entry_0( node_15 : InstanceNode_0,  ray_27 : Ray_0,  inverse_3 : vec3<f32>) -
 {
     var low_16 : vec3<f32> = (vector_of_0(node_15.min_2) - ray_27.origin_0) * inverse_3;
     var high_6 : vec3<f32> = (vector_of_0(node_15.max_2) - ray_27.origin_0) * inverse_3;
-    var _S482 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
-    var _S483 : f32;
-    if(_S482 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
+    var _S486 : f32 = max(ray_27.t_min_0, max_element_0(min(low_16, high_6)));
+    var _S487 : f32;
+    if(_S486 <= (min(ray_27.t_max_0, min_element_0(max(low_16, high_6)))))
     {
-        _S483 = _S482;
+        _S487 = _S486;
     }
     else
     {
-        _S483 = (bitcast<f32>(infinity_bits_0));
+        _S487 = (bitcast<f32>(infinity_bits_0));
     }
-    return _S483;
+    return _S487;
 }
 
 fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u32) -> Hit_0
@@ -7602,8 +7715,8 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
     var is_leaf_1 : bool;
     if(IS_SINGLE_0)
     {
-        var _S484 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
-        return _S484;
+        var _S488 : Hit_0 = hit_in_0(u32(0), &((*given_0)));
+        return _S488;
     }
     var ray_28 : Ray_0 = (*given_0);
     var nearest_3 : Hit_0 = miss_0();
@@ -7612,15 +7725,15 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         return nearest_3;
     }
     var is_zero_1 : vec3<bool> = !((abs(ray_28.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S485 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
+    var _S489 : vec3<f32> = select(reciprocal_0(select(ray_28.direction_0, vec3<f32>(1.0f), is_zero_1)), vec3<f32>(3.4028234663852886e+38f), is_zero_1);
     var stack_0 : array<u32, i32(32)>;
     var entries_0 : array<f32, i32(32)>;
-    var _S486 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S487 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S490 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S491 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_0 : bool = false;
-    var is_leaf_2 : bool = _S487;
+    var is_leaf_2 : bool = _S491;
     var index_31 : u32 = u32(0);
-    var below_1 : u32 = _S486.index_29;
+    var below_1 : u32 = _S490.index_29;
     var nearest_4 : Hit_0 = nearest_3;
     var depth_0 : u32 = u32(0);
     for(;;)
@@ -7630,16 +7743,16 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         var depth_1 : u32 = depth_0;
         for(;;)
         {
-            var _S488 : bool;
+            var _S492 : bool;
             if(is_done_1)
             {
-                _S488 = depth_1 > u32(0);
+                _S492 = depth_1 > u32(0);
             }
             else
             {
-                _S488 = !is_leaf_2;
+                _S492 = !is_leaf_2;
             }
-            if(_S488)
+            if(_S492)
             {
             }
             else
@@ -7650,25 +7763,25 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
             if(is_done_1)
             {
                 var depth_2 : u32 = depth_1 - u32(1);
-                var _S489 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
-                var _S490 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
+                var _S493 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]);
+                var _S494 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_0[depth_2]).is_leaf_0) != u32(0);
                 is_done_1 = (entries_0[depth_2]) > (ray_28.t_max_0);
-                is_leaf_1 = _S490;
+                is_leaf_1 = _S494;
                 index_32 = stack_0[depth_2];
-                below_2 = _S489.index_29;
+                below_2 = _S493.index_29;
                 depth_1 = depth_2;
             }
             else
             {
-                var _S491 : u32 = index_31 + u32(1);
-                var _S492 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S491);
-                var _S493 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
-                var to_left_0 : f32 = entry_0(_S492, ray_28, _S485);
-                var to_right_0 : f32 = entry_0(_S493, ray_28, _S485);
+                var _S495 : u32 = index_31 + u32(1);
+                var _S496 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S495);
+                var _S497 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_2);
+                var to_left_0 : f32 = entry_0(_S496, ray_28, _S489);
+                var to_right_0 : f32 = entry_0(_S497, ray_28, _S489);
                 var is_left_7 : bool = to_left_0 <= to_right_0;
-                var _S494 : f32 = max(to_left_0, to_right_0);
+                var _S498 : f32 = max(to_left_0, to_right_0);
                 var INFINITY_0 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S494 < INFINITY_0)
+                if(_S498 < INFINITY_0)
                 {
                     if(is_left_7)
                     {
@@ -7676,51 +7789,51 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
                     }
                     else
                     {
-                        index_32 = _S491;
+                        index_32 = _S495;
                     }
                     stack_0[depth_1] = index_32;
-                    entries_0[depth_1] = _S494;
+                    entries_0[depth_1] = _S498;
                     index_32 = depth_1 + u32(1);
                 }
                 else
                 {
                     index_32 = depth_1;
                 }
-                var _S495 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
-                var _S496 : u32;
+                var _S499 : bool = (min(to_left_0, to_right_0)) == INFINITY_0;
+                var _S500 : u32;
                 if(is_left_7)
                 {
-                    _S496 = _S491;
+                    _S500 = _S495;
                 }
                 else
                 {
-                    _S496 = below_2;
+                    _S500 = below_2;
                 }
-                var _S497 : u32;
+                var _S501 : u32;
                 if(is_left_7)
                 {
-                    _S497 = _S492.index_29;
+                    _S501 = _S496.index_29;
                 }
                 else
                 {
-                    _S497 = _S493.index_29;
+                    _S501 = _S497.index_29;
                 }
-                var _S498 : u32;
+                var _S502 : u32;
                 if(is_left_7)
                 {
-                    _S498 = _S492.is_leaf_0;
+                    _S502 = _S496.is_leaf_0;
                 }
                 else
                 {
-                    _S498 = _S493.is_leaf_0;
+                    _S502 = _S497.is_leaf_0;
                 }
-                var _S499 : bool = _S498 != u32(0);
-                var _S500 : u32 = index_32;
-                is_done_1 = _S495;
-                is_leaf_1 = _S499;
-                index_32 = _S496;
-                below_2 = _S497;
-                depth_1 = _S500;
+                var _S503 : bool = _S502 != u32(0);
+                var _S504 : u32 = index_32;
+                is_done_1 = _S499;
+                is_leaf_1 = _S503;
+                index_32 = _S500;
+                below_2 = _S501;
+                depth_1 = _S504;
             }
             is_leaf_2 = is_leaf_1;
             index_31 = index_32;
@@ -7729,17 +7842,17 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         {
             break;
         }
-        var _S501 : Hit_0 = hit_in_0(below_2, &(ray_28));
-        var _S502 : Hit_0 = nearest_4;
-        if((_S501.t_0) < (nearest_4.t_0))
+        var _S505 : Hit_0 = hit_in_0(below_2, &(ray_28));
+        var _S506 : Hit_0 = nearest_4;
+        if((_S505.t_0) < (nearest_4.t_0))
         {
             is_leaf_1 = true;
         }
         else
         {
-            if((_S501.t_0) == (_S502.t_0))
+            if((_S505.t_0) == (_S506.t_0))
             {
-                is_leaf_1 = (_S501.instance_0) < (nearest_4.instance_0);
+                is_leaf_1 = (_S505.instance_0) < (nearest_4.instance_0);
             }
             else
             {
@@ -7748,12 +7861,12 @@ fn visit_0( given_0 : ptr<function, Ray_0>,  is_any_enough_0 : bool,  end_3 : u3
         }
         if(is_leaf_1)
         {
-            ray_28.t_max_0 = _S501.t_0;
+            ray_28.t_max_0 = _S505.t_0;
             if(is_any_enough_0)
             {
-                return _S501;
+                return _S505;
             }
-            nearest_4 = _S501;
+            nearest_4 = _S505;
         }
         is_done_0 = true;
         below_1 = below_2;
@@ -7767,8 +7880,8 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
     var is_leaf_3 : bool;
     if(IS_SINGLE_0)
     {
-        var _S503 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
-        return _S503;
+        var _S507 : Hit_0 = hit_in_1(u32(0), &((*given_1)));
+        return _S507;
     }
     var ray_29 : Ray_0 = (*given_1);
     var nearest_5 : Hit_0 = miss_0();
@@ -7777,15 +7890,15 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         return nearest_5;
     }
     var is_zero_2 : vec3<bool> = !((abs(ray_29.direction_0)) >= vec3<f32>(1.17549435082228751e-38f));
-    var _S504 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
+    var _S508 : vec3<f32> = select(reciprocal_0(select(ray_29.direction_0, vec3<f32>(1.0f), is_zero_2)), vec3<f32>(3.4028234663852886e+38f), is_zero_2);
     var stack_1 : array<u32, i32(32)>;
     var entries_1 : array<f32, i32(32)>;
-    var _S505 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
-    var _S506 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
+    var _S509 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(u32(0));
+    var _S510 : bool = (InstanceNodes_operatorx5Bx5D_get_0(u32(0)).is_leaf_0) != u32(0);
     var is_done_2 : bool = false;
-    var is_leaf_4 : bool = _S506;
+    var is_leaf_4 : bool = _S510;
     var index_33 : u32 = u32(0);
-    var below_3 : u32 = _S505.index_29;
+    var below_3 : u32 = _S509.index_29;
     var nearest_6 : Hit_0 = nearest_5;
     var depth_3 : u32 = u32(0);
     for(;;)
@@ -7795,16 +7908,16 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         var depth_4 : u32 = depth_3;
         for(;;)
         {
-            var _S507 : bool;
+            var _S511 : bool;
             if(is_done_3)
             {
-                _S507 = depth_4 > u32(0);
+                _S511 = depth_4 > u32(0);
             }
             else
             {
-                _S507 = !is_leaf_4;
+                _S511 = !is_leaf_4;
             }
-            if(_S507)
+            if(_S511)
             {
             }
             else
@@ -7815,25 +7928,25 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
             if(is_done_3)
             {
                 var depth_5 : u32 = depth_4 - u32(1);
-                var _S508 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
-                var _S509 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
+                var _S512 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]);
+                var _S513 : bool = (InstanceNodes_operatorx5Bx5D_get_0(stack_1[depth_5]).is_leaf_0) != u32(0);
                 is_done_3 = (entries_1[depth_5]) > (ray_29.t_max_0);
-                is_leaf_3 = _S509;
+                is_leaf_3 = _S513;
                 index_34 = stack_1[depth_5];
-                below_4 = _S508.index_29;
+                below_4 = _S512.index_29;
                 depth_4 = depth_5;
             }
             else
             {
-                var _S510 : u32 = index_33 + u32(1);
-                var _S511 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S510);
-                var _S512 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
-                var to_left_1 : f32 = entry_0(_S511, ray_29, _S504);
-                var to_right_1 : f32 = entry_0(_S512, ray_29, _S504);
+                var _S514 : u32 = index_33 + u32(1);
+                var _S515 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(_S514);
+                var _S516 : InstanceNode_0 = InstanceNodes_operatorx5Bx5D_get_0(below_4);
+                var to_left_1 : f32 = entry_0(_S515, ray_29, _S508);
+                var to_right_1 : f32 = entry_0(_S516, ray_29, _S508);
                 var is_left_8 : bool = to_left_1 <= to_right_1;
-                var _S513 : f32 = max(to_left_1, to_right_1);
+                var _S517 : f32 = max(to_left_1, to_right_1);
                 var INFINITY_1 : f32 = (bitcast<f32>(infinity_bits_0));
-                if(_S513 < INFINITY_1)
+                if(_S517 < INFINITY_1)
                 {
                     if(is_left_8)
                     {
@@ -7841,51 +7954,51 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
                     }
                     else
                     {
-                        index_34 = _S510;
+                        index_34 = _S514;
                     }
                     stack_1[depth_4] = index_34;
-                    entries_1[depth_4] = _S513;
+                    entries_1[depth_4] = _S517;
                     index_34 = depth_4 + u32(1);
                 }
                 else
                 {
                     index_34 = depth_4;
                 }
-                var _S514 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
-                var _S515 : u32;
+                var _S518 : bool = (min(to_left_1, to_right_1)) == INFINITY_1;
+                var _S519 : u32;
                 if(is_left_8)
                 {
-                    _S515 = _S510;
+                    _S519 = _S514;
                 }
                 else
                 {
-                    _S515 = below_4;
+                    _S519 = below_4;
                 }
-                var _S516 : u32;
+                var _S520 : u32;
                 if(is_left_8)
                 {
-                    _S516 = _S511.index_29;
+                    _S520 = _S515.index_29;
                 }
                 else
                 {
-                    _S516 = _S512.index_29;
+                    _S520 = _S516.index_29;
                 }
-                var _S517 : u32;
+                var _S521 : u32;
                 if(is_left_8)
                 {
-                    _S517 = _S511.is_leaf_0;
+                    _S521 = _S515.is_leaf_0;
                 }
                 else
                 {
-                    _S517 = _S512.is_leaf_0;
+                    _S521 = _S516.is_leaf_0;
                 }
-                var _S518 : bool = _S517 != u32(0);
-                var _S519 : u32 = index_34;
-                is_done_3 = _S514;
-                is_leaf_3 = _S518;
-                index_34 = _S515;
-                below_4 = _S516;
-                depth_4 = _S519;
+                var _S522 : bool = _S521 != u32(0);
+                var _S523 : u32 = index_34;
+                is_done_3 = _S518;
+                is_leaf_3 = _S522;
+                index_34 = _S519;
+                below_4 = _S520;
+                depth_4 = _S523;
             }
             is_leaf_4 = is_leaf_3;
             index_33 = index_34;
@@ -7894,17 +8007,17 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         {
             break;
         }
-        var _S520 : Hit_0 = hit_in_1(below_4, &(ray_29));
-        var _S521 : Hit_0 = nearest_6;
-        if((_S520.t_0) < (nearest_6.t_0))
+        var _S524 : Hit_0 = hit_in_1(below_4, &(ray_29));
+        var _S525 : Hit_0 = nearest_6;
+        if((_S524.t_0) < (nearest_6.t_0))
         {
             is_leaf_3 = true;
         }
         else
         {
-            if((_S520.t_0) == (_S521.t_0))
+            if((_S524.t_0) == (_S525.t_0))
             {
-                is_leaf_3 = (_S520.instance_0) < (nearest_6.instance_0);
+                is_leaf_3 = (_S524.instance_0) < (nearest_6.instance_0);
             }
             else
             {
@@ -7913,12 +8026,12 @@ fn visit_1( given_1 : ptr<function, Ray_0>,  is_any_enough_1 : bool,  end_4 : u3
         }
         if(is_leaf_3)
         {
-            ray_29.t_max_0 = _S520.t_0;
+            ray_29.t_max_0 = _S524.t_0;
             if(is_any_enough_1)
             {
-                return _S520;
+                return _S524;
             }
-            nearest_6 = _S520;
+            nearest_6 = _S524;
         }
         is_done_2 = true;
         below_3 = below_4;
@@ -7934,11 +8047,11 @@ fn PathTracingOf_jitter_0( sampler_1 : Sampler_0) -> vec4<f32>
 
 fn Sampler_x24init_0( seed_3 : u32,  pixel_1 : u32,  sample_23 : u32) -> Sampler_0
 {
-    var _S522 : Sampler_0;
-    _S522.seed_1 = seed_3;
-    _S522.pixel_0 = pixel_1;
-    _S522.sample_0 = sample_23;
-    return _S522;
+    var _S526 : Sampler_0;
+    _S526.seed_1 = seed_3;
+    _S526.pixel_0 = pixel_1;
+    _S526.sample_0 = sample_23;
+    return _S526;
 }
 
 struct Item_0
@@ -7953,14 +8066,14 @@ struct Item_0
 
 fn Item_x24init_0( traces_1 : bool,  kind_3 : u32,  at_14 : vec2<u32>,  place_8 : u32,  slot_1 : u32,  sampler_3 : Sampler_0) -> Item_0
 {
-    var _S523 : Item_0;
-    _S523.traces_0 = traces_1;
-    _S523.kind_2 = kind_3;
-    _S523.at_13 = at_14;
-    _S523.place_7 = place_8;
-    _S523.slot_0 = slot_1;
-    _S523.sampler_2 = sampler_3;
-    return _S523;
+    var _S527 : Item_0;
+    _S527.traces_0 = traces_1;
+    _S527.kind_2 = kind_3;
+    _S527.at_13 = at_14;
+    _S527.place_7 = place_8;
+    _S527.slot_0 = slot_1;
+    _S527.sampler_2 = sampler_3;
+    return _S527;
 }
 
 fn has_0( flag_0 : u32) -> bool
@@ -8021,58 +8134,58 @@ fn pixel_that_traces_0( thread_1 : u32) -> vec2<u32>
 {
     if(!has_0(u32(128)))
     {
-        var _S524 : vec2<u32> = pixel_of_thread_0(thread_1);
-        return _S524;
+        var _S528 : vec2<u32> = pixel_of_thread_0(thread_1);
+        return _S528;
     }
     var tiles_1 : u32 = (params_0.width_0 + u32(15)) / u32(16);
     var tile_1 : u32 = thread_1 / u32(64);
     var in_tile_1 : u32 = (thread_1 & (u32(63)));
     var row_12 : u32 = tile_1 / tiles_1;
-    var _S525 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
-    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S525);
-    at_15[i32(0)] = at_15[i32(0)] + (((_S525 + real_time_0.number_0) & (u32(1))));
+    var _S529 : u32 = row_12 * u32(8) + ((in_tile_1 >> (u32(3))));
+    var at_15 : vec2<u32> = vec2<u32>((tile_1 - row_12 * tiles_1) * u32(16) + u32(2) * ((in_tile_1 & (u32(7)))), _S529);
+    at_15[i32(0)] = at_15[i32(0)] + (((_S529 + real_time_0.number_0) & (u32(1))));
     return at_15;
 }
 
 fn squares_1() -> vec2<u32>
 {
-    var _S526 : vec2<u32> = vec2<u32>(u32(5));
-    var _S527 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S526 - vec2<u32>(u32(1))) / _S526;
-    return _S527;
+    var _S530 : vec2<u32> = vec2<u32>(u32(5));
+    var _S531 : vec2<u32> = (vec2<u32>(params_0.width_0, params_0.height_0) + _S530 - vec2<u32>(u32(1))) / _S530;
+    return _S531;
 }
 
 fn pixel_of_square_0( square_1 : u32,  number_3 : u32) -> vec2<u32>
 {
     var columns_1 : u32 = squares_1().x;
-    var _S528 : u32 = square_1 % columns_1;
-    var _S529 : u32 = square_1 / columns_1;
-    var at_16 : vec2<u32> = vec2<u32>(_S528, _S529);
-    var _S530 : vec2<u32> = vec2<u32>(u32(5));
-    var _S531 : vec2<u32> = at_16 * _S530;
-    var _S532 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S530;
-    return min(_S531 + _S532, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
+    var _S532 : u32 = square_1 % columns_1;
+    var _S533 : u32 = square_1 / columns_1;
+    var at_16 : vec2<u32> = vec2<u32>(_S532, _S533);
+    var _S534 : vec2<u32> = vec2<u32>(u32(5));
+    var _S535 : vec2<u32> = at_16 * _S534;
+    var _S536 : vec2<u32> = pcg4d_0(vec4<u32>(at_16, number_3, u32(3266489909))).xy % _S534;
+    return min(_S535 + _S536, vec2<u32>(params_0.width_0, params_0.height_0) - vec2<u32>(u32(1)));
 }
 
 fn is_inside_0( at_17 : vec2<i32>) -> bool
 {
-    var _S533 : bool;
+    var _S537 : bool;
     if((all((at_17 >= vec2<i32>(i32(0))))))
     {
-        _S533 = (at_17.x) < i32(params_0.width_0);
+        _S537 = (at_17.x) < i32(params_0.width_0);
     }
     else
     {
-        _S533 = false;
+        _S537 = false;
     }
-    if(_S533)
+    if(_S537)
     {
-        _S533 = (at_17.y) < i32(params_0.height_0);
+        _S537 = (at_17.y) < i32(params_0.height_0);
     }
     else
     {
-        _S533 = false;
+        _S537 = false;
     }
-    return _S533;
+    return _S537;
 }
 
 fn place_of_square_0( list_0 : u32,  square_2 : u32) -> u32
@@ -8094,23 +8207,23 @@ fn item_of_0( number_4 : u32) -> Item_0
     var count_8 : u32 = real_time_0.squares_0;
     if(number_4 < (real_time_0.cells_0))
     {
-        var _S534 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
-        var _S535 : bool = number_4 < _S534;
-        item_0.traces_0 = _S535;
-        if(_S535)
+        var _S538 : u32 = atomicLoad(&(cell_keys_0[u32(2)]));
+        var _S539 : bool = number_4 < _S538;
+        item_0.traces_0 = _S539;
+        if(_S539)
         {
-            var _S536 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
-            item_0.place_7 = _S536;
+            var _S540 : u32 = atomicLoad(&(cell_keys_0[place_of_chosen_0(number_4)]));
+            item_0.place_7 = _S540;
             item_0.slot_0 = real_time_0.pixels_0 + count_8 + number_4;
             var rank_6 : u32;
             item_0.sampler_2 = Sampler_x24init_0(((params_0.seed_0) ^ (u32(1540483477))), Key_hash_0(Item_key_0(item_0, &(rank_6))).x, real_time_0.number_0);
         }
         return item_0;
     }
-    var _S537 : u32 = number_4 - cells_2;
-    var _S538 : vec2<u32> = pixel_that_traces_0(_S537);
-    item_0.at_13 = _S538;
-    var square_3 : u32 = _S537 - pixels_1;
+    var _S541 : u32 = number_4 - cells_2;
+    var _S542 : vec2<u32> = pixel_that_traces_0(_S541);
+    item_0.at_13 = _S542;
+    var square_3 : u32 = _S541 - pixels_1;
     var is_square_0 : bool = number_4 >= (cells_2 + pixels_1);
     var is_again_0 : bool;
     if(is_square_0)
@@ -8139,82 +8252,82 @@ fn item_of_0( number_4 : u32) -> Item_0
     {
         frame_0 = real_time_0.number_0;
     }
-    var _S539 : u32;
+    var _S543 : u32;
     if(is_again_0)
     {
-        _S539 = u32(3);
+        _S543 = u32(3);
     }
     else
     {
         if(is_square_0)
         {
-            _S539 = u32(2);
+            _S543 = u32(2);
         }
         else
         {
-            _S539 = u32(1);
+            _S543 = u32(1);
         }
     }
-    item_0.kind_2 = _S539;
+    item_0.kind_2 = _S543;
     if(is_square_0)
     {
-        var _S540 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
-        item_0.at_13 = _S540;
+        var _S544 : vec2<u32> = pixel_of_square_0(square_4, frame_0);
+        item_0.at_13 = _S544;
     }
-    var _S541 : bool;
+    var _S545 : bool;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S539 = real_time_0.again_0;
+            _S543 = real_time_0.again_0;
         }
         else
         {
-            _S539 = count_8;
+            _S543 = count_8;
         }
-        _S541 = square_4 < _S539;
+        _S545 = square_4 < _S543;
     }
     else
     {
-        _S541 = is_inside_0(vec2<i32>(item_0.at_13));
+        _S545 = is_inside_0(vec2<i32>(item_0.at_13));
     }
-    item_0.traces_0 = _S541;
+    item_0.traces_0 = _S545;
     if(is_square_0)
     {
         if(is_again_0)
         {
-            _S539 = u32(2);
+            _S543 = u32(2);
         }
         else
         {
-            _S539 = (frame_0 & (u32(1)));
+            _S543 = (frame_0 & (u32(1)));
         }
-        _S539 = place_of_square_0(_S539, square_4);
+        _S543 = place_of_square_0(_S543, square_4);
     }
     else
     {
-        _S539 = index_of_0(item_0.at_13);
+        _S543 = index_of_0(item_0.at_13);
     }
-    item_0.place_7 = _S539;
+    item_0.place_7 = _S543;
     if(is_square_0)
     {
-        _S539 = real_time_0.pixels_0 + square_4;
+        _S543 = real_time_0.pixels_0 + square_4;
     }
     else
     {
-        _S539 = item_0.place_7;
+        _S543 = item_0.place_7;
     }
-    item_0.slot_0 = _S539;
-    var _S542 : u32 = params_0.seed_0;
+    item_0.slot_0 = _S543;
+    var _S546 : u32 = params_0.seed_0;
     if(is_square_0)
     {
-        _S539 = u32(3266489909);
+        _S543 = u32(3266489909);
     }
     else
     {
-        _S539 = u32(2654435769);
+        _S543 = u32(2654435769);
     }
-    item_0.sampler_2 = Sampler_x24init_0((_S542 ^ (_S539)), index_of_0(item_0.at_13), frame_0);
+    item_0.sampler_2 = Sampler_x24init_0((_S546 ^ (_S543)), index_of_0(item_0.at_13), frame_0);
     return item_0;
 }
 
@@ -8232,16 +8345,16 @@ struct CameraFrame_0
 
 fn CameraFrame_x24init_0( lens_2 : u32,  eye_3 : vec3<f32>,  corner_3 : vec3<f32>,  pixel_x_2 : vec3<f32>,  pixel_y_2 : vec3<f32>,  lens_x_2 : vec3<f32>,  lens_y_2 : vec3<f32>,  blades_2 : u32) -> CameraFrame_0
 {
-    var _S543 : CameraFrame_0;
-    _S543.lens_1 = lens_2;
-    _S543.eye_2 = eye_3;
-    _S543.corner_2 = corner_3;
-    _S543.pixel_x_1 = pixel_x_2;
-    _S543.pixel_y_1 = pixel_y_2;
-    _S543.lens_x_1 = lens_x_2;
-    _S543.lens_y_1 = lens_y_2;
-    _S543.blades_1 = blades_2;
-    return _S543;
+    var _S547 : CameraFrame_0;
+    _S547.lens_1 = lens_2;
+    _S547.eye_2 = eye_3;
+    _S547.corner_2 = corner_3;
+    _S547.pixel_x_1 = pixel_x_2;
+    _S547.pixel_y_1 = pixel_y_2;
+    _S547.lens_x_1 = lens_x_2;
+    _S547.lens_y_1 = lens_y_2;
+    _S547.blades_1 = blades_2;
+    return _S547;
 }
 
 @id(5) override LENS_0 : u32 = u32(0);
@@ -8256,12 +8369,12 @@ struct Perspective_0
 
 fn Perspective_x24init_0( eye_5 : vec3<f32>,  corner_5 : vec3<f32>,  pixel_x_4 : vec3<f32>,  pixel_y_4 : vec3<f32>) -> Perspective_0
 {
-    var _S544 : Perspective_0;
-    _S544.eye_4 = eye_5;
-    _S544.corner_4 = corner_5;
-    _S544.pixel_x_3 = pixel_x_4;
-    _S544.pixel_y_3 = pixel_y_4;
-    return _S544;
+    var _S548 : Perspective_0;
+    _S548.eye_4 = eye_5;
+    _S548.corner_4 = corner_5;
+    _S548.pixel_x_3 = pixel_x_4;
+    _S548.pixel_y_3 = pixel_y_4;
+    return _S548;
 }
 
 struct Axes_0
@@ -8273,11 +8386,11 @@ struct Axes_0
 
 fn Axes_x24init_0( forward_1 : vec3<f32>,  right_7 : vec3<f32>,  up_1 : vec3<f32>) -> Axes_0
 {
-    var _S545 : Axes_0;
-    _S545.forward_0 = forward_1;
-    _S545.right_6 = right_7;
-    _S545.up_0 = up_1;
-    return _S545;
+    var _S549 : Axes_0;
+    _S549.forward_0 = forward_1;
+    _S549.right_6 = right_7;
+    _S549.up_0 = up_1;
+    return _S549;
 }
 
 struct ThinLens_0
@@ -8290,28 +8403,28 @@ struct ThinLens_0
 
 fn ThinLens_x24init_0( perspective_1 : Perspective_0,  lens_x_4 : vec3<f32>,  lens_y_4 : vec3<f32>,  blades_4 : u32) -> ThinLens_0
 {
-    var _S546 : ThinLens_0;
-    _S546.perspective_0 = perspective_1;
-    _S546.lens_x_3 = lens_x_4;
-    _S546.lens_y_3 = lens_y_4;
-    _S546.blades_3 = blades_4;
-    return _S546;
+    var _S550 : ThinLens_0;
+    _S550.perspective_0 = perspective_1;
+    _S550.lens_x_3 = lens_x_4;
+    _S550.lens_y_3 = lens_y_4;
+    _S550.blades_3 = blades_4;
+    return _S550;
 }
 
 fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
 {
     var a_6 : f32 = 2.0f * square_5.x - 1.0f;
     var b_6 : f32 = 2.0f * square_5.y - 1.0f;
-    var _S547 : bool;
+    var _S551 : bool;
     if(a_6 == 0.0f)
     {
-        _S547 = b_6 == 0.0f;
+        _S551 = b_6 == 0.0f;
     }
     else
     {
-        _S547 = false;
+        _S551 = false;
     }
-    if(_S547)
+    if(_S551)
     {
         return vec2<f32>(0.0f);
     }
@@ -8338,7 +8451,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         turns_3 = turns_3 + 0.5f;
     }
-    var _S548 : f32 = abs(radius_5);
+    var _S552 : f32 = abs(radius_5);
     if(turns_3 < 0.0f)
     {
         radius_5 = turns_3 + 1.0f;
@@ -8347,7 +8460,7 @@ fn concentric_0( square_5 : vec2<f32>) -> vec2<f32>
     {
         radius_5 = turns_3;
     }
-    return vec2<f32>(_S548, radius_5);
+    return vec2<f32>(_S552, radius_5);
 }
 
 fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
@@ -8365,9 +8478,9 @@ fn place_in_aperture_0( blades_5 : u32,  lens_3 : vec2<f32>) -> vec2<f32>
     var share_14 : f32 = scaled_0 - blade_0;
     var from_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0, count_9));
     var to_0 : vec2<f32> = sincos_turns_0(divide_0(blade_0 + 1.0f, count_9));
-    var _S549 : f32 = from_0.y;
-    var _S550 : f32 = from_0.x;
-    return vec2<f32>(_S549 + (to_0.y - _S549) * share_14, _S550 + (to_0.x - _S550) * share_14) * vec2<f32>(radius_6);
+    var _S553 : f32 = from_0.y;
+    var _S554 : f32 = from_0.x;
+    return vec2<f32>(_S553 + (to_0.y - _S553) * share_14, _S554 + (to_0.x - _S554) * share_14) * vec2<f32>(radius_6);
 }
 
 fn ThinLens_ray_0( this_61 : ThinLens_0,  position_3 : vec2<f32>,  lens_4 : vec2<f32>) -> Ray_0
@@ -8387,12 +8500,12 @@ struct Orthographic_0
 
 fn Orthographic_x24init_0( corner_7 : vec3<f32>,  pixel_x_6 : vec3<f32>,  pixel_y_6 : vec3<f32>,  forward_3 : vec3<f32>) -> Orthographic_0
 {
-    var _S551 : Orthographic_0;
-    _S551.corner_6 = corner_7;
-    _S551.pixel_x_5 = pixel_x_6;
-    _S551.pixel_y_5 = pixel_y_6;
-    _S551.forward_2 = forward_3;
-    return _S551;
+    var _S555 : Orthographic_0;
+    _S555.corner_6 = corner_7;
+    _S555.pixel_x_5 = pixel_x_6;
+    _S555.pixel_y_5 = pixel_y_6;
+    _S555.forward_2 = forward_3;
+    return _S555;
 }
 
 fn Orthographic_ray_0( this_62 : Orthographic_0,  position_4 : vec2<f32>,  lens_5 : vec2<f32>) -> Ray_0
@@ -8410,12 +8523,12 @@ struct Panorama_0
 
 fn Panorama_x24init_0( eye_7 : vec3<f32>,  axes_2 : Axes_0,  inverse_size_1 : vec2<f32>,  half_eye_distance_1 : f32) -> Panorama_0
 {
-    var _S552 : Panorama_0;
-    _S552.eye_6 = eye_7;
-    _S552.axes_1 = axes_2;
-    _S552.inverse_size_0 = inverse_size_1;
-    _S552.half_eye_distance_0 = half_eye_distance_1;
-    return _S552;
+    var _S556 : Panorama_0;
+    _S556.eye_6 = eye_7;
+    _S556.axes_1 = axes_2;
+    _S556.inverse_size_0 = inverse_size_1;
+    _S556.half_eye_distance_0 = half_eye_distance_1;
+    return _S556;
 }
 
 fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2<f32>) -> Ray_0
@@ -8442,9 +8555,9 @@ fn Panorama_ray_0( this_63 : Panorama_0,  position_5 : vec2<f32>,  lens_6 : vec2
     }
     var longitude_0 : vec2<f32> = sincos_turns_0(position_5.x * this_63.inverse_size_0.x);
     var height_2 : vec2<f32> = sincos_turns_0(latitude_1 * 0.5f);
-    var _S553 : vec3<f32> = vec3<f32>(longitude_0.y);
-    var _S554 : vec3<f32> = vec3<f32>(longitude_0.x);
-    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S554 - this_63.axes_1.right_6 * _S553) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S553 + this_63.axes_1.right_6 * _S554) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
+    var _S557 : vec3<f32> = vec3<f32>(longitude_0.y);
+    var _S558 : vec3<f32> = vec3<f32>(longitude_0.x);
+    return ray_from_0(this_63.eye_6 + (this_63.axes_1.forward_0 * _S558 - this_63.axes_1.right_6 * _S557) * vec3<f32>(side_6), normalize_vector_0((vec3<f32>(0) - this_63.axes_1.forward_0 * _S557 + this_63.axes_1.right_6 * _S558) * vec3<f32>(height_2.x) + this_63.axes_1.up_0 * vec3<f32>(height_2.y)));
 }
 
 struct Fisheye_0
@@ -8457,12 +8570,12 @@ struct Fisheye_0
 
 fn Fisheye_x24init_0( eye_9 : vec3<f32>,  axes_4 : Axes_0,  middle_2 : vec2<f32>,  turns_per_pixel_1 : f32) -> Fisheye_0
 {
-    var _S555 : Fisheye_0;
-    _S555.eye_8 = eye_9;
-    _S555.axes_3 = axes_4;
-    _S555.middle_1 = middle_2;
-    _S555.turns_per_pixel_0 = turns_per_pixel_1;
-    return _S555;
+    var _S559 : Fisheye_0;
+    _S559.eye_8 = eye_9;
+    _S559.axes_3 = axes_4;
+    _S559.middle_1 = middle_2;
+    _S559.turns_per_pixel_0 = turns_per_pixel_1;
+    return _S559;
 }
 
 fn Fisheye_ray_0( this_64 : Fisheye_0,  position_6 : vec2<f32>,  lens_7 : vec2<f32>) -> Ray_0
@@ -8525,14 +8638,14 @@ fn camera_ray_1( pixel_2 : vec2<u32>,  camera_0 : CameraFrame_0,  sampler_4 : Sa
 
 fn WalkTracer_trace_0( ray_30 : ptr<function, Ray_0>,  is_any_enough_2 : bool) -> Hit_0
 {
-    var _S556 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
-    return _S556;
+    var _S560 : Hit_0 = visit_0(&((*ray_30)), is_any_enough_2, u32(0));
+    return _S560;
 }
 
 fn WalkTracer_trace_1( ray_31 : ptr<function, Ray_0>,  is_any_enough_3 : bool) -> Hit_0
 {
-    var _S557 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
-    return _S557;
+    var _S561 : Hit_0 = visit_1(&((*ray_31)), is_any_enough_3, u32(0));
+    return _S561;
 }
 
 fn set_scratch_row_0( row_13 : u32,  index_35 : u32,  value_3 : vec2<u32>)
@@ -8578,29 +8691,29 @@ fn trace_camera(@builtin(global_invocation_id) id_0 : vec3<u32>)
     if(item_1.traces_0)
     {
         var ray_32 : Ray_0 = camera_ray_1(item_1.at_13, FrameParams_camera_0(), item_1.sampler_2);
-        var _S558 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
-        keep_hit_0(item_1.slot_0, _S558);
+        var _S562 : Hit_0 = WalkTracer_trace_1(&(ray_32), false);
+        keep_hit_0(item_1.slot_0, _S562);
     }
     return;
 }
 
 fn Sample_x24init_0( direct_1 : vec3<f32>,  light_14 : vec3<f32>,  is_shown_1 : bool,  albedo_1 : vec3<f32>,  normal_7 : vec3<f32>,  place_10 : vec3<f32>,  instance_16 : u32) -> Sample_0
 {
-    var _S559 : Sample_0;
-    _S559.direct_0 = direct_1;
-    _S559.light_1 = light_14;
-    _S559.is_shown_0 = is_shown_1;
-    _S559.albedo_0 = albedo_1;
-    _S559.normal_1 = normal_7;
-    _S559.place_0 = place_10;
-    _S559.instance_7 = instance_16;
-    return _S559;
+    var _S563 : Sample_0;
+    _S563.direct_0 = direct_1;
+    _S563.light_1 = light_14;
+    _S563.is_shown_0 = is_shown_1;
+    _S563.albedo_0 = albedo_1;
+    _S563.normal_1 = normal_7;
+    _S563.place_0 = place_10;
+    _S563.instance_7 = instance_16;
+    return _S563;
 }
 
 fn no_sample_0() -> Sample_0
 {
-    var _S560 : vec3<f32> = vec3<f32>(0.0f);
-    return Sample_x24init_0(_S560, _S560, false, _S560, _S560, _S560, u32(4294967294));
+    var _S564 : vec3<f32> = vec3<f32>(0.0f);
+    return Sample_x24init_0(_S564, _S564, false, _S564, _S564, _S564, u32(4294967294));
 }
 
 fn Item_is_cell_0( this_67 : Item_0) -> bool
@@ -8610,28 +8723,28 @@ fn Item_is_cell_0( this_67 : Item_0) -> bool
 
 fn Key_voxel_0( this_68 : Key_0,  code_5 : u32,  scramble_0 : u32) -> vec3<i32>
 {
-    var _S561 : u32 = Key_level_0(this_68);
-    var bits_4 : u32 = ((u32(1) << (_S561))) - u32(1);
+    var _S565 : u32 = Key_level_0(this_68);
+    var bits_4 : u32 = ((u32(1) << (_S565))) - u32(1);
     var place_11 : u32 = ((code_5 - u32(1)) ^ (((scramble_0 & ((Key_mask_0(this_68)))))));
-    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S561)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S561))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S561)))) & (bits_4))));
+    return (((this_68.cube_0) << (vec3<u32>(u32(i32(_S565)))))) + vec3<i32>(i32((place_11 & (bits_4))), i32((((place_11 >> (_S565))) & (bits_4))), i32((((place_11 >> ((u32(2) * _S565)))) & (bits_4))));
 }
 
 fn Path_x24init_0( sampler_5 : Sampler_0,  bounce_4 : u32,  event_2 : u32,  kinds_1 : u32,  scattered_5 : u32,  beta_1 : vec3<f32>,  pdf_14 : f32,  normal_8 : vec3<f32>,  selection_5 : Selection_0,  passed_t_1 : f32,  inside_8 : Inside_0,  is_clipped_1 : bool) -> Path_0
 {
-    var _S562 : Path_0;
-    _S562.sampler_0 = sampler_5;
-    _S562.bounce_0 = bounce_4;
-    _S562.event_0 = event_2;
-    _S562.kinds_0 = kinds_1;
-    _S562.scattered_0 = scattered_5;
-    _S562.beta_0 = beta_1;
-    _S562.pdf_1 = pdf_14;
-    _S562.normal_0 = normal_8;
-    _S562.selection_0 = selection_5;
-    _S562.passed_t_0 = passed_t_1;
-    _S562.inside_0 = inside_8;
-    _S562.is_clipped_0 = is_clipped_1;
-    return _S562;
+    var _S566 : Path_0;
+    _S566.sampler_0 = sampler_5;
+    _S566.bounce_0 = bounce_4;
+    _S566.event_0 = event_2;
+    _S566.kinds_0 = kinds_1;
+    _S566.scattered_0 = scattered_5;
+    _S566.beta_0 = beta_1;
+    _S566.pdf_1 = pdf_14;
+    _S566.normal_0 = normal_8;
+    _S566.selection_0 = selection_5;
+    _S566.passed_t_0 = passed_t_1;
+    _S566.inside_0 = inside_8;
+    _S566.is_clipped_0 = is_clipped_1;
+    return _S566;
 }
 
 fn path_from_0( sampler_6 : Sampler_0) -> Path_0
@@ -8641,9 +8754,9 @@ fn path_from_0( sampler_6 : Sampler_0) -> Path_0
 
 fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 : ptr<function, vec3<f32>>)
 {
-    var _S563 : f32 = z_1.z;
+    var _S567 : f32 = z_1.z;
     var sign_0 : f32;
-    if(_S563 < 0.0f)
+    if(_S567 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -8651,12 +8764,12 @@ fn orthonormal_pair_0( z_1 : vec3<f32>,  x_11 : ptr<function, vec3<f32>>,  y_6 :
     {
         sign_0 = 1.0f;
     }
-    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S563);
-    var _S564 : f32 = z_1.x;
-    var _S565 : f32 = z_1.y;
-    var b_7 : f32 = _S564 * _S565 * a_7;
-    (*x_11) = vec3<f32>(1.0f + sign_0 * _S564 * _S564 * a_7, sign_0 * b_7, - sign_0 * _S564);
-    (*y_6) = vec3<f32>(b_7, sign_0 + _S565 * _S565 * a_7, - _S565);
+    var a_7 : f32 = divide_0(-1.0f, sign_0 + _S567);
+    var _S568 : f32 = z_1.x;
+    var _S569 : f32 = z_1.y;
+    var b_7 : f32 = _S568 * _S569 * a_7;
+    (*x_11) = vec3<f32>(1.0f + sign_0 * _S568 * _S568 * a_7, sign_0 * b_7, - sign_0 * _S568);
+    (*y_6) = vec3<f32>(b_7, sign_0 + _S569 * _S569 * a_7, - _S569);
     return;
 }
 
@@ -8667,9 +8780,9 @@ fn direction_from_cell_0( sampler_7 : Sampler_0,  normal_9 : vec3<f32>,  pdf_15 
     var y_7 : vec3<f32>;
     orthonormal_pair_0(normal_9, &(x_12), &(y_7));
     var local_7 : vec3<f32> = cosine_hemisphere_0(u_30.z, u_30.w);
-    var _S566 : f32 = local_7.z;
-    (*pdf_15) = cosine_hemisphere_pdf_0(_S566);
-    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S566);
+    var _S570 : f32 = local_7.z;
+    (*pdf_15) = cosine_hemisphere_pdf_0(_S570);
+    return x_12 * vec3<f32>(local_7.x) + y_7 * vec3<f32>(local_7.y) + normal_9 * vec3<f32>(_S570);
 }
 
 fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16 : ptr<function, f32>) -> vec3<f32>
@@ -8679,43 +8792,44 @@ fn direction_from_cell_1( sampler_8 : Sampler_0,  normal_10 : vec3<f32>,  pdf_16
     var y_8 : vec3<f32>;
     orthonormal_pair_0(normal_10, &(x_13), &(y_8));
     var local_8 : vec3<f32> = cosine_hemisphere_0(u_31.z, u_31.w);
-    var _S567 : f32 = local_8.z;
-    (*pdf_16) = cosine_hemisphere_pdf_0(_S567);
-    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S567);
+    var _S571 : f32 = local_8.z;
+    (*pdf_16) = cosine_hemisphere_pdf_0(_S571);
+    return x_13 * vec3<f32>(local_8.x) + y_8 * vec3<f32>(local_8.y) + normal_10 * vec3<f32>(_S571);
 }
 
 fn Surface_x24init_0( origin_13 : vec3<f32>,  normal_11 : vec3<f32>,  face_11 : u32,  instance_17 : u32) -> Surface_0
 {
-    var _S568 : Surface_0;
-    _S568.origin_11 = origin_13;
-    _S568.normal_3 = normal_11;
-    _S568.face_2 = face_11;
-    _S568.instance_11 = instance_17;
-    return _S568;
+    var _S572 : Surface_0;
+    _S572.origin_11 = origin_13;
+    _S572.normal_3 = normal_11;
+    _S572.face_2 = face_11;
+    _S572.instance_11 = instance_17;
+    return _S572;
 }
 
-fn Walker_x24init_0( path_14 : Path_0,  ray_33 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool,  counts_1 : bool,  sees_mover_1 : bool) -> Walker_0
+fn Walker_x24init_0( path_14 : Path_0,  ray_33 : Ray_0,  is_shadow_ray_1 : bool,  light_15 : vec3<f32>,  direction_30 : vec3<f32>,  path_origin_3 : vec3<f32>,  shadow_inside_3 : Inside_0,  boundaries_1 : u32,  relocates_3 : bool,  path_relocates_3 : bool,  camera_ray_2 : Ray_0,  way_7 : f32,  has_shown_1 : bool,  asks_cache_1 : bool,  life_3 : u32,  is_at_cell_1 : bool,  counts_1 : bool,  sees_mover_1 : bool,  by_chance_2 : bool) -> Walker_0
 {
-    var _S569 : Walker_0;
-    _S569.path_0 = path_14;
-    _S569.ray_7 = ray_33;
-    _S569.is_shadow_ray_0 = is_shadow_ray_1;
-    _S569.light_0 = light_15;
-    _S569.direction_4 = direction_30;
-    _S569.path_origin_0 = path_origin_3;
-    _S569.shadow_inside_0 = shadow_inside_3;
-    _S569.boundaries_0 = boundaries_1;
-    _S569.relocates_0 = relocates_3;
-    _S569.path_relocates_0 = path_relocates_3;
-    _S569.camera_ray_0 = camera_ray_2;
-    _S569.way_3 = way_7;
-    _S569.has_shown_0 = has_shown_1;
-    _S569.asks_cache_0 = asks_cache_1;
-    _S569.life_0 = life_3;
-    _S569.is_at_cell_0 = is_at_cell_1;
-    _S569.counts_0 = counts_1;
-    _S569.sees_mover_0 = sees_mover_1;
-    return _S569;
+    var _S573 : Walker_0;
+    _S573.path_0 = path_14;
+    _S573.ray_7 = ray_33;
+    _S573.is_shadow_ray_0 = is_shadow_ray_1;
+    _S573.light_0 = light_15;
+    _S573.direction_4 = direction_30;
+    _S573.path_origin_0 = path_origin_3;
+    _S573.shadow_inside_0 = shadow_inside_3;
+    _S573.boundaries_0 = boundaries_1;
+    _S573.relocates_0 = relocates_3;
+    _S573.path_relocates_0 = path_relocates_3;
+    _S573.camera_ray_0 = camera_ray_2;
+    _S573.way_3 = way_7;
+    _S573.has_shown_0 = has_shown_1;
+    _S573.asks_cache_0 = asks_cache_1;
+    _S573.life_0 = life_3;
+    _S573.is_at_cell_0 = is_at_cell_1;
+    _S573.counts_0 = counts_1;
+    _S573.sees_mover_0 = sees_mover_1;
+    _S573.by_chance_0 = by_chance_2;
+    return _S573;
 }
 
 fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
@@ -8723,7 +8837,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     var face_12 : u32 = ((key_5.face_and_level_0) & (u32(7)));
     var axis_7 : u32 = (face_12 >> (u32(1)));
     var u_32 : vec4<f32> = Sampler_independent_0(sampler_9, u32(0));
-    var _S570 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
+    var _S574 : vec3<f32> = vec3<f32>(Key_voxel_0(key_5, (rank_7 & (u32(1048575))), scramble_of_0(real_time_0.number_0 - u32(1))));
     var on_face_2 : vec3<f32>;
     if(axis_7 == u32(0))
     {
@@ -8740,13 +8854,13 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
             on_face_2 = vec3<f32>(u_32.x, u_32.y, 0.0f);
         }
     }
-    var _S571 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
-    var origin_14 : vec3<f32> = Transform_point_0(_S571.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S571.grid_from_world_0.translation_0), _S570, face_12, _S570 + on_face_2));
-    var normal_12 : vec3<f32> = world_normal_0(_S571, face_12);
+    var _S575 : PackedInstance_0 = Instances_operatorx5Bx5D_get_0(key_5.instance_9);
+    var origin_14 : vec3<f32> = Transform_point_0(_S575.world_from_grid_0, offset_ray_origin_0(vector_of_0(_S575.grid_from_world_0.translation_0), _S574, face_12, _S574 + on_face_2));
+    var normal_12 : vec3<f32> = world_normal_0(_S575, face_12);
     var path_15 : Path_0 = path_from_0(sampler_9);
-    var _S572 : f32 = path_15.pdf_1;
-    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S572));
-    path_15.pdf_1 = _S572;
+    var _S576 : f32 = path_15.pdf_1;
+    var direction_31 : vec3<f32> = direction_from_cell_0(sampler_9, normal_12, &(_S576));
+    path_15.pdf_1 = _S576;
     var receiver_30 : Receiver_0 = Receiver_x24init_0(origin_14, normal_12);
     path_15.selection_0 = Lights_selection_0(receiver_30);
     path_15.normal_0 = normal_12;
@@ -8759,7 +8873,7 @@ fn at_cell_0( key_5 : Key_0,  rank_7 : u32,  sampler_9 : Sampler_0) -> Walker_0
     white_0.facets_0.alpha_0 = 1.0f;
     scatter_of_path_0 = Scatter_x24init_0(path_15, receiver_30, surface_6, white_0, vec3<f32>(0.0f, 0.0f, 1.0f), 1.0f, false, true);
     var ray_34 : Ray_0 = ray_from_0(origin_14, direction_31);
-    return Walker_x24init_0(path_15, ray_34, false, vec3<f32>(0.0f), direction_31, origin_14, in_air_0(), u32(0), false, false, ray_34, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true, false, false);
+    return Walker_x24init_0(path_15, ray_34, false, vec3<f32>(0.0f), direction_31, origin_14, in_air_0(), u32(0), false, false, ray_34, 0.0f, true, true, max((rank_7 >> (u32(20))), u32(1)) - u32(1), true, false, false, false);
 }
 
 fn camera_before_0() -> CameraFrame_0
@@ -8769,29 +8883,29 @@ fn camera_before_0() -> CameraFrame_0
 
 fn Item_asks_cache_0( this_69 : Item_0) -> bool
 {
-    var _S573 : bool;
+    var _S577 : bool;
     if(Item_is_cell_0(this_69))
     {
-        _S573 = true;
+        _S577 = true;
     }
     else
     {
         if((this_69.kind_2) == u32(1))
         {
-            _S573 = has_0(u32(1));
+            _S577 = has_0(u32(1));
         }
         else
         {
-            _S573 = false;
+            _S577 = false;
         }
     }
-    return _S573;
+    return _S577;
 }
 
 fn at_camera_0( ray_35 : Ray_0,  sampler_10 : Sampler_0,  asks_cache_2 : bool) -> Walker_0
 {
-    var _S574 : vec3<f32> = vec3<f32>(0.0f);
-    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S574, _S574, _S574, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false);
+    var _S578 : vec3<f32> = vec3<f32>(0.0f);
+    return Walker_x24init_0(path_from_0(sampler_10), ray_35, false, _S578, _S578, _S578, in_air_0(), u32(0), true, true, ray_35, 0.0f, false, asks_cache_2, u32(10), false, false, false, false);
 }
 
 fn Item_start_0( this_70 : Item_0) -> Walker_0
@@ -8800,10 +8914,10 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     {
         var rank_8 : u32;
         var key_6 : Key_0 = Item_key_1(this_70, &(rank_8));
-        var _S575 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
-        return _S575;
+        var _S579 : Walker_0 = at_cell_0(key_6, rank_8, this_70.sampler_2);
+        return _S579;
     }
-    var _S576 : CameraFrame_0 = FrameParams_camera_0();
+    var _S580 : CameraFrame_0 = FrameParams_camera_0();
     var camera_1 : CameraFrame_0;
     if((this_70.kind_2) == u32(3))
     {
@@ -8811,7 +8925,7 @@ fn Item_start_0( this_70 : Item_0) -> Walker_0
     }
     else
     {
-        camera_1 = _S576;
+        camera_1 = _S580;
     }
     return at_camera_0(camera_ray_1(this_70.at_13, camera_1, this_70.sampler_2), this_70.sampler_2, Item_asks_cache_0(this_70));
 }
@@ -8855,81 +8969,81 @@ struct Slot_0
 
 fn Slot_x24init_0( item_3 : Item_0,  own_6 : u32,  lent_1 : u32) -> Slot_0
 {
-    var _S577 : Slot_0;
-    _S577.item_2 = item_3;
-    _S577.own_5 = own_6;
-    _S577.lent_0 = lent_1;
-    return _S577;
+    var _S581 : Slot_0;
+    _S581.item_2 = item_3;
+    _S581.own_5 = own_6;
+    _S581.lent_0 = lent_1;
+    return _S581;
 }
 
 fn lets_light_pass_0( material_18 : PackedMaterial_0) -> bool
 {
-    var _S578 : bool;
+    var _S582 : bool;
     if((material_18.transmission_0) > 0.0f)
     {
         if((material_18.ior_0) == 1.0f)
         {
-            _S578 = true;
+            _S582 = true;
         }
         else
         {
-            _S578 = (params_0.clear_shadows_0) != u32(0);
+            _S582 = (params_0.clear_shadows_0) != u32(0);
         }
     }
     else
     {
-        _S578 = false;
+        _S582 = false;
     }
-    return _S578;
+    return _S582;
 }
 
 fn is_matte_0( material_19 : PackedMaterial_0) -> bool
 {
-    var _S579 : bool;
+    var _S583 : bool;
     if((material_19.transmission_0) <= 0.0f)
     {
-        _S579 = (material_19.metallic_0) <= 0.0f;
+        _S583 = (material_19.metallic_0) <= 0.0f;
     }
     else
     {
-        _S579 = false;
+        _S583 = false;
     }
-    if(_S579)
+    if(_S583)
     {
-        _S579 = (material_19.specular_0) <= 0.0f;
+        _S583 = (material_19.specular_0) <= 0.0f;
     }
     else
     {
-        _S579 = false;
+        _S583 = false;
     }
-    return _S579;
+    return _S583;
 }
 
 fn leaves_0( hit_23 : Hit_0,  is_shadow_ray_2 : bool) -> bool
 {
-    var _S580 : bool;
+    var _S584 : bool;
     if(!has_0(u32(1024)))
     {
-        _S580 = true;
+        _S584 = true;
     }
     else
     {
-        _S580 = Hit_is_miss_0(hit_23);
+        _S584 = Hit_is_miss_0(hit_23);
     }
-    if(_S580)
+    if(_S584)
     {
         return false;
     }
     var material_20 : PackedMaterial_0 = material_of_0(hit_23);
     if(is_shadow_ray_2)
     {
-        _S580 = lets_light_pass_0(material_20);
+        _S584 = lets_light_pass_0(material_20);
     }
     else
     {
-        _S580 = !is_matte_0(material_20);
+        _S584 = !is_matte_0(material_20);
     }
-    return _S580;
+    return _S584;
 }
 
 fn set_left_0( slot_8 : u32)
@@ -8941,52 +9055,52 @@ fn set_left_0( slot_8 : u32)
 fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,  life_4 : u32,  light_16 : ptr<function, vec3<f32>>) -> bool
 {
     (*light_16) = vec3<f32>(0.0f);
-    var _S581 : bool;
+    var _S585 : bool;
     if(Hit_is_miss_0(hit_24))
     {
-        _S581 = true;
+        _S585 = true;
     }
     else
     {
-        _S581 = Inside_is_in_0(path_16.inside_0);
+        _S585 = Inside_is_in_0(path_16.inside_0);
     }
-    if(_S581)
+    if(_S585)
     {
         return false;
     }
     var material_21 : PackedMaterial_0 = material_met_0(path_16, hit_24, beyond_14);
     if((material_21.metallic_0) > 0.0f)
     {
-        _S581 = true;
+        _S585 = true;
     }
     else
     {
-        _S581 = (material_21.transmission_0) > 0.0f;
+        _S585 = (material_21.transmission_0) > 0.0f;
     }
-    if(_S581)
+    if(_S585)
     {
         return false;
     }
     var code_6 : u32;
     var key_7 : Key_0 = key_of_1(hit_24, square_root_0(length_squared_0(ray_38.origin_0 + ray_38.direction_0 * vec3<f32>(hit_24.t_0) - real_time_0.eye_0)) * real_time_0.view_angle_0 * 0.05882352963089943f, Sampler_independent_0(path_16.sampler_0, u32(3221225472) + Path_events_0(path_16)).x, &(code_6));
-    var _S582 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
+    var _S586 : f32 = f32((u32(1) << ((Key_level_0(key_7)))));
     var is_from_first_2 : bool = (path_16.bounce_0) < u32(2);
     if(life_4 == u32(0))
     {
-        _S581 = true;
+        _S585 = true;
     }
     else
     {
         if(is_from_first_2)
         {
-            _S581 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S582;
+            _S585 = (hit_24.t_0 * square_root_0(length_squared_0(ray_38.direction_0))) < _S586;
         }
         else
         {
-            _S581 = false;
+            _S585 = false;
         }
     }
-    if(_S581)
+    if(_S585)
     {
         return false;
     }
@@ -9001,23 +9115,23 @@ fn asks_2( path_16 : Path_0,  ray_38 : Ray_0,  hit_24 : Hit_0,  beyond_14 : u32,
 
 fn packed_normal_0( normal_13 : vec3<f32>) -> u32
 {
-    var _S583 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
-    return (((((u32(_S583.x) & (u32(1023)))) | (((((u32(_S583.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S583.z) & (u32(1023)))) << (u32(20))))));
+    var _S587 : vec3<i32> = vec3<i32>(normal_steps_0(normal_13));
+    return (((((u32(_S587.x) & (u32(1023)))) | (((((u32(_S587.y) & (u32(1023)))) << (u32(10))))))) | (((((u32(_S587.z) & (u32(1023)))) << (u32(20))))));
 }
 
 fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 {
-    var _S584 : u32 = packed_normal_0(sample_24.normal_1);
-    var _S585 : u32;
+    var _S588 : u32 = packed_normal_0(sample_24.normal_1);
+    var _S589 : u32;
     if(sample_24.is_shown_0)
     {
-        _S585 = u32(1073741824);
+        _S589 = u32(1073741824);
     }
     else
     {
-        _S585 = u32(0);
+        _S589 = u32(0);
     }
-    var normal_14 : u32 = (_S584 | (_S585));
+    var normal_14 : u32 = (_S588 | (_S589));
     set_scratch_row_0(u32(0), index_37, (bitcast<vec2<u32>>((sample_24.light_1.xy))));
     set_scratch_row_0(u32(1), index_37, vec2<u32>((bitcast<u32>((sample_24.light_1.z))), sample_24.instance_7));
     set_scratch_row_0(u32(2), index_37, (bitcast<vec2<u32>>((sample_24.direct_0.xy))));
@@ -9031,16 +9145,16 @@ fn store_sample_0( index_37 : u32,  sample_24 : Sample_0)
 fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_20 : u32,  face_13 : u32)
 {
     var word_10 : u32 = (((((instance_20 << (u32(5)))) | ((((at_19.path_0.bounce_0) << (u32(3))))))) | (face_13));
-    var _S586 : u32;
+    var _S590 : u32;
     if(at_19.is_shadow_ray_0)
     {
-        _S586 = (bitcast<u32>((at_19.ray_7.t_max_0)));
+        _S590 = (bitcast<u32>((at_19.ray_7.t_max_0)));
     }
     else
     {
-        _S586 = u32(0);
+        _S590 = u32(0);
     }
-    set_scratch_row_0(u32(4), this_71.own_5, vec2<u32>(_S586, word_10));
+    set_scratch_row_0(u32(4), this_71.own_5, vec2<u32>(_S590, word_10));
     set_scratch_row_0(u32(7), this_71.own_5, (bitcast<vec2<u32>>((at_19.ray_7.origin_0.xy))));
     set_scratch_row_0(u32(8), this_71.own_5, (bitcast<vec2<u32>>((vec2<f32>(at_19.ray_7.origin_0.z, at_19.ray_7.direction_0.x)))));
     set_scratch_row_0(u32(9), this_71.own_5, (bitcast<vec2<u32>>((at_19.ray_7.direction_0.yz))));
@@ -9049,10 +9163,10 @@ fn Slot_keep_0( this_71 : Slot_0,  at_19 : Walker_0,  instance_20 : u32,  face_1
 
 fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_21 : u32,  face_14 : u32,  t_18 : f32,  sample_25 : Sample_0)
 {
-    var _S587 : Sample_0 = sample_25;
-    _S587.light_1 = vec3<f32>(0.0f);
-    _S587.albedo_0 = at_20.path_0.beta_0;
-    store_sample_0(this_72.own_5, _S587);
+    var _S591 : Sample_0 = sample_25;
+    _S591.light_1 = vec3<f32>(0.0f);
+    _S591.albedo_0 = at_20.path_0.beta_0;
+    store_sample_0(this_72.own_5, _S591);
     scratch_0[u32(3) * real_time_0.slots_0 + this_72.own_5][i32(1)] = (bitcast<u32>((t_18)));
     Slot_keep_0(this_72, at_20, instance_21, face_14);
     return;
@@ -9060,16 +9174,16 @@ fn Slot_keep_first_0( this_72 : Slot_0,  at_20 : Walker_0,  instance_21 : u32,  
 
 fn light_on_0( sample_26 : Sample_0) -> f32
 {
-    var _S588 : f32;
+    var _S592 : f32;
     if(sample_26.is_shown_0)
     {
-        _S588 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
+        _S592 = luminance_0(sample_26.light_1) / (luminance_0(sample_26.albedo_0) + 0.00300000002607703f);
     }
     else
     {
-        _S588 = 0.0f;
+        _S592 = 0.0f;
     }
-    return _S588;
+    return _S592;
 }
 
 fn Item_end_0( this_73 : Item_0,  sample_27 : Sample_0)
@@ -9118,9 +9232,9 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         var sample_29 : Sample_0 = no_sample_0();
-        var _S589 : Walker_0 = Item_start_0(item_4);
-        var at_21 : Walker_0 = _S589;
-        var _S590 : Hit_0 = miss_0();
+        var _S593 : Walker_0 = Item_start_0(item_4);
+        var at_21 : Walker_0 = _S593;
+        var _S594 : Hit_0 = miss_0();
         var hit_25 : Hit_0;
         var instance_22 : u32;
         var face_15 : u32;
@@ -9128,10 +9242,10 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
         {
             var rank_9 : u32;
             var key_8 : Key_0 = Item_key_2(item_4, &(rank_9));
-            var _S591 : u32 = ((key_8.face_and_level_0) & (u32(7)));
-            hit_25 = _S590;
+            var _S595 : u32 = ((key_8.face_and_level_0) & (u32(7)));
+            hit_25 = _S594;
             instance_22 = key_8.instance_9;
-            face_15 = _S591;
+            face_15 = _S595;
         }
         else
         {
@@ -9140,16 +9254,16 @@ fn trace_first(@builtin(global_invocation_id) id_1 : vec3<u32>)
             instance_22 = hit_26.instance_0;
             face_15 = hit_26.face_0;
         }
-        var _S592 : u32 = item_4.slot_0;
-        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S592, _S592);
+        var _S596 : u32 = item_4.slot_0;
+        var slot_10 : Slot_0 = Slot_x24init_0(item_4, _S596, _S596);
         if(leaves_0(hit_25, false))
         {
             set_left_0(item_4.slot_0);
         }
         else
         {
-            var _S593 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
-            if(_S593)
+            var _S597 : bool = goes_on_from_2(&(at_21), hit_25, u32(4294967295), &(sample_29));
+            if(_S597)
             {
                 Slot_keep_first_0(slot_10, at_21, instance_22, face_15, hit_25.t_0, sample_29);
             }
@@ -9169,31 +9283,31 @@ fn is_over_0( slot_11 : u32) -> bool
 
 fn weigh_candidates_0( is_of_pixel_0 : bool,  pixel_3 : u32,  counts_2 : bool)
 {
-    var _S594 : bool;
+    var _S598 : bool;
     if(is_of_pixel_0)
     {
-        _S594 = has_0(u32(4096));
+        _S598 = has_0(u32(4096));
     }
     else
     {
-        _S594 = false;
+        _S598 = false;
     }
-    weighs_candidates_0 = _S594;
+    weighs_candidates_0 = _S598;
     counts_arrivals_0 = false;
-    if(_S594)
+    if(_S598)
     {
-        _S594 = counts_2;
+        _S598 = counts_2;
     }
     else
     {
-        _S594 = false;
+        _S598 = false;
     }
-    if(_S594)
+    if(_S598)
     {
         var stride_2 : u32 = (real_time_0.pixels_0 + u32(32768) - u32(1)) / u32(32768);
-        var _S595 : u32 = pixel_3 / stride_2;
-        var _S596 : u32 = (pixel_3 + u32(7) * _S595 + real_time_0.number_0) % stride_2;
-        counts_arrivals_0 = _S596 == u32(0);
+        var _S599 : u32 = pixel_3 / stride_2;
+        var _S600 : u32 = (pixel_3 + u32(7) * _S599 + real_time_0.number_0) % stride_2;
+        counts_arrivals_0 = _S600 == u32(0);
     }
     return;
 }
@@ -9221,15 +9335,15 @@ fn Slot_instance_0( this_77 : Slot_0) -> u32
 fn Slot_scatter_0( this_78 : Slot_0) -> Scatter_0
 {
     var surface_7 : Surface_0;
-    var _S597 : vec3<f32> = origin_in_0(this_78.own_5);
-    surface_7.origin_11 = _S597;
-    var _S598 : u32 = Slot_face_0(this_78);
-    surface_7.face_2 = _S598;
-    var _S599 : u32 = Slot_instance_0(this_78);
-    surface_7.instance_11 = _S599;
-    var _S600 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S599), _S598);
-    surface_7.normal_3 = _S600;
-    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S597, _S600);
+    var _S601 : vec3<f32> = origin_in_0(this_78.own_5);
+    surface_7.origin_11 = _S601;
+    var _S602 : u32 = Slot_face_0(this_78);
+    surface_7.face_2 = _S602;
+    var _S603 : u32 = Slot_instance_0(this_78);
+    surface_7.instance_11 = _S603;
+    var _S604 : vec3<f32> = world_normal_0(Instances_operatorx5Bx5D_get_0(_S603), _S602);
+    surface_7.normal_3 = _S604;
+    var receiver_31 : Receiver_0 = Receiver_x24init_0(_S601, _S604);
     var path_17 : Path_0 = path_from_0(this_78.item_2.sampler_2);
     path_17.selection_0 = Lights_selection_0(receiver_31);
     var bsdf_2 : MaterialBsdf_0;
@@ -9262,18 +9376,18 @@ fn trace_light(@builtin(global_invocation_id) id_2 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var item_5 : Item_0 = item_of_0(id_2.x);
-    var _S601 : u32 = item_5.slot_0;
-    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S601, _S601);
-    var _S602 : bool;
+    var _S605 : u32 = item_5.slot_0;
+    var slot_13 : Slot_0 = Slot_x24init_0(item_5, _S605, _S605);
+    var _S606 : bool;
     if(item_5.traces_0)
     {
-        _S602 = !is_over_0(item_5.slot_0);
+        _S606 = !is_over_0(item_5.slot_0);
     }
     else
     {
-        _S602 = false;
+        _S606 = false;
     }
-    if(_S602)
+    if(_S606)
     {
         first_candidates_0 = real_time_0.candidates_0;
         weigh_candidates_0((item_5.kind_2) == u32(1), item_5.place_7, false);
@@ -9291,20 +9405,20 @@ fn Slot_bounce_0( this_80 : Slot_0) -> u32
 
 fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 {
-    var _S603 : bool;
+    var _S607 : bool;
     if(Item_is_cell_0(this_81.item_2))
     {
-        _S603 = (Slot_bounce_0(this_81)) == u32(1);
+        _S607 = (Slot_bounce_0(this_81)) == u32(1);
     }
     else
     {
-        _S603 = false;
+        _S607 = false;
     }
     var direction_32 : vec3<f32>;
-    if(_S603)
+    if(_S607)
     {
-        var _S604 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
-        direction_32 = _S604;
+        var _S608 : vec3<f32> = direction_from_cell_1(this_81.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_81)), Slot_face_0(this_81)), &((*pdf_17)));
+        direction_32 = _S608;
     }
     else
     {
@@ -9321,20 +9435,20 @@ fn Slot_ray_0( this_81 : Slot_0,  pdf_17 : ptr<function, f32>) -> Ray_0
 
 fn Slot_ray_1( this_82 : Slot_0,  pdf_18 : ptr<function, f32>) -> Ray_0
 {
-    var _S605 : bool;
+    var _S609 : bool;
     if(Item_is_cell_0(this_82.item_2))
     {
-        _S605 = (Slot_bounce_0(this_82)) == u32(1);
+        _S609 = (Slot_bounce_0(this_82)) == u32(1);
     }
     else
     {
-        _S605 = false;
+        _S609 = false;
     }
     var direction_33 : vec3<f32>;
-    if(_S605)
+    if(_S609)
     {
-        var _S606 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
-        direction_33 = _S606;
+        var _S610 : vec3<f32> = direction_from_cell_1(this_82.item_2.sampler_2, world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_82)), Slot_face_0(this_82)), &((*pdf_18)));
+        direction_33 = _S610;
     }
     else
     {
@@ -9356,16 +9470,16 @@ fn place_of_found_0( place_12 : u32) -> u32
 
 fn count_arrival_0( ray_39 : Ray_0,  has_arrived_0 : bool)
 {
-    var _S607 : i32;
+    var _S611 : i32;
     if(has_arrived_0)
     {
-        _S607 = i32(65537);
+        _S611 = i32(65537);
     }
     else
     {
-        _S607 = i32(1);
+        _S611 = i32(1);
     }
-    var _S608 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S607));
+    var _S612 : u32 = atomicAdd(&(cell_keys_0[place_of_found_0(place_of_ray_0(ray_39))]), u32(_S611));
     return;
 }
 
@@ -9389,16 +9503,16 @@ fn Slot_walk_0( this_84 : Slot_0)
     var end_5 : u32 = end_word_0(this_84.own_5);
     var pdf_19 : f32;
     var ray_40 : Ray_0 = Ray_x24init_0(origin_in_0(this_84.own_5), 0.0f, (bitcast<vec3<f32>>((words_in_0(this_84.own_5)))), (bitcast<f32>((end_5))));
-    var _S609 : i32;
+    var _S613 : i32;
     if(end_5 == u32(0))
     {
-        _S609 = i32(1);
+        _S613 = i32(1);
     }
     else
     {
-        _S609 = i32(0);
+        _S613 = i32(0);
     }
-    var turn_0 : u32 = u32(_S609);
+    var turn_0 : u32 = u32(_S613);
     for(;;)
     {
         if(turn_0 < u32(2))
@@ -9408,14 +9522,14 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             break;
         }
-        var _S610 : bool = turn_0 == u32(1);
-        if(_S610)
+        var _S614 : bool = turn_0 == u32(1);
+        if(_S614)
         {
             ray_40 = Slot_ray_0(this_84, &(pdf_19));
         }
-        var _S611 : bool = turn_0 == u32(0);
+        var _S615 : bool = turn_0 == u32(0);
         var ends_anywhere_0 : bool;
-        if(_S611)
+        if(_S615)
         {
             if(counts_arrivals_0)
             {
@@ -9431,50 +9545,50 @@ fn Slot_walk_0( this_84 : Slot_0)
         {
             ends_anywhere_0 = false;
         }
-        var _S612 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
-        var _S613 : bool;
-        if(_S611)
+        var _S616 : Hit_0 = WalkTracer_trace_0(&(ray_40), ends_anywhere_0);
+        var _S617 : bool;
+        if(_S615)
         {
-            _S613 = leaves_0(_S612, true);
+            _S617 = leaves_0(_S616, true);
         }
         else
         {
-            _S613 = false;
+            _S617 = false;
         }
-        if(_S613)
+        if(_S617)
         {
             set_left_0(this_84.own_5);
             return;
         }
-        var _S614 : bool;
-        if(_S611)
-        {
-            _S614 = counts_arrivals_0;
-        }
-        else
-        {
-            _S614 = false;
-        }
-        var _S615 : bool;
-        if(_S614)
-        {
-            _S615 = (Slot_bounce_0(this_84)) == u32(1);
-        }
-        else
-        {
-            _S615 = false;
-        }
+        var _S618 : bool;
         if(_S615)
         {
-            count_arrival_0(ray_40, Hit_is_miss_0(_S612));
-        }
-        if(_S610)
-        {
-            keep_hit_0(this_84.own_5, _S612);
+            _S618 = counts_arrivals_0;
         }
         else
         {
-            if(!Hit_is_miss_0(_S612))
+            _S618 = false;
+        }
+        var _S619 : bool;
+        if(_S618)
+        {
+            _S619 = (Slot_bounce_0(this_84)) == u32(1);
+        }
+        else
+        {
+            _S619 = false;
+        }
+        if(_S619)
+        {
+            count_arrival_0(ray_40, Hit_is_miss_0(_S616));
+        }
+        if(_S614)
+        {
+            keep_hit_0(this_84.own_5, _S616);
+        }
+        else
+        {
+            if(!Hit_is_miss_0(_S616))
             {
                 Slot_darken_0(this_84);
             }
@@ -9493,20 +9607,20 @@ fn trace_rays(@builtin(global_invocation_id) id_3 : vec3<u32>)
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
     var slot_14 : Slot_0;
-    var _S616 : Item_0 = item_of_0(id_3.x);
-    slot_14.item_2 = _S616;
+    var _S620 : Item_0 = item_of_0(id_3.x);
+    slot_14.item_2 = _S620;
     slot_14.own_5 = slot_14.item_2.slot_0;
     slot_14.lent_0 = slot_14.item_2.slot_0;
-    var _S617 : bool;
+    var _S621 : bool;
     if(slot_14.item_2.traces_0)
     {
-        _S617 = !is_over_0(slot_14.own_5);
+        _S621 = !is_over_0(slot_14.own_5);
     }
     else
     {
-        _S617 = false;
+        _S621 = false;
     }
-    if(_S617)
+    if(_S621)
     {
         weigh_candidates_0((slot_14.item_2.kind_2) == u32(1), slot_14.item_2.place_7, true);
         Slot_walk_0(slot_14);
@@ -9530,9 +9644,9 @@ fn load_sample_0( index_38 : u32) -> Sample_0
     sample_30.direct_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(2), index_38)))), d_3.x);
     sample_30.place_0 = vec3<f32>(d_3.y, (bitcast<vec2<f32>>((scratch_row_0(u32(4), index_38)))));
     sample_30.albedo_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(5), index_38)))), (bitcast<f32>((g_0.x))));
-    var _S618 : u32 = g_0.y;
-    sample_30.normal_1 = normal_in_0(_S618);
-    sample_30.is_shown_0 = ((_S618 & (u32(1073741824)))) != u32(0);
+    var _S622 : u32 = g_0.y;
+    sample_30.normal_1 = normal_in_0(_S622);
+    sample_30.is_shown_0 = ((_S622 & (u32(1073741824)))) != u32(0);
     return sample_30;
 }
 
@@ -9551,10 +9665,10 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
         at_22.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_85.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).x))));
         (*sample_31).light_1 = (*sample_31).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_85.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_85.lent_0)))));
     }
-    var _S619 : f32 = at_22.path_0.pdf_1;
-    var _S620 : Ray_0 = Slot_ray_1(this_85, &(_S619));
-    at_22.path_0.pdf_1 = _S619;
-    at_22.ray_7 = _S620;
+    var _S623 : f32 = at_22.path_0.pdf_1;
+    var _S624 : Ray_0 = Slot_ray_1(this_85, &(_S623));
+    at_22.path_0.pdf_1 = _S623;
+    at_22.ray_7 = _S624;
     at_22.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_85)), Slot_face_0(this_85));
     at_22.is_shadow_ray_0 = false;
     at_22.light_0 = vec3<f32>(0.0f);
@@ -9564,7 +9678,7 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.boundaries_0 = u32(0);
     at_22.relocates_0 = false;
     at_22.path_relocates_0 = false;
-    at_22.camera_ray_0 = _S620;
+    at_22.camera_ray_0 = _S624;
     at_22.way_3 = 0.0f;
     at_22.has_shown_0 = true;
     at_22.asks_cache_0 = Item_asks_cache_0(this_85.item_2);
@@ -9572,10 +9686,11 @@ fn Slot_walker_0( this_85 : Slot_0,  sample_31 : ptr<function, Sample_0>) -> Wal
     at_22.is_at_cell_0 = false;
     at_22.counts_0 = false;
     at_22.sees_mover_0 = false;
+    at_22.by_chance_0 = false;
     if(Item_is_cell_0(this_85.item_2))
     {
         var rank_10 : u32;
-        var _S621 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
+        var _S625 : Key_0 = Item_key_2(this_85.item_2, &(rank_10));
         at_22.life_0 = max((rank_10 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9601,10 +9716,10 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
         at_23.path_0.beta_0 = vec3<f32>((bitcast<vec2<f32>>((scratch_row_0(u32(7), this_86.lent_0)))), (bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).x))));
         (*sample_32).light_1 = (*sample_32).light_1 + vec3<f32>((bitcast<f32>((scratch_row_0(u32(8), this_86.lent_0).y))), (bitcast<vec2<f32>>((scratch_row_0(u32(9), this_86.lent_0)))));
     }
-    var _S622 : f32 = at_23.path_0.pdf_1;
-    var _S623 : Ray_0 = Slot_ray_1(this_86, &(_S622));
-    at_23.path_0.pdf_1 = _S622;
-    at_23.ray_7 = _S623;
+    var _S626 : f32 = at_23.path_0.pdf_1;
+    var _S627 : Ray_0 = Slot_ray_1(this_86, &(_S626));
+    at_23.path_0.pdf_1 = _S626;
+    at_23.ray_7 = _S627;
     at_23.path_0.normal_0 = world_normal_0(Instances_operatorx5Bx5D_get_0(Slot_instance_0(this_86)), Slot_face_0(this_86));
     at_23.is_shadow_ray_0 = false;
     at_23.light_0 = vec3<f32>(0.0f);
@@ -9614,7 +9729,7 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.boundaries_0 = u32(0);
     at_23.relocates_0 = false;
     at_23.path_relocates_0 = false;
-    at_23.camera_ray_0 = _S623;
+    at_23.camera_ray_0 = _S627;
     at_23.way_3 = 0.0f;
     at_23.has_shown_0 = true;
     at_23.asks_cache_0 = Item_asks_cache_0(this_86.item_2);
@@ -9622,10 +9737,11 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
     at_23.is_at_cell_0 = false;
     at_23.counts_0 = false;
     at_23.sees_mover_0 = false;
+    at_23.by_chance_0 = false;
     if(Item_is_cell_0(this_86.item_2))
     {
         var rank_11 : u32;
-        var _S624 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
+        var _S628 : Key_0 = Item_key_2(this_86.item_2, &(rank_11));
         at_23.life_0 = max((rank_11 >> (u32(20))), u32(1)) - u32(1);
     }
     else
@@ -9639,21 +9755,21 @@ fn Slot_walker_1( this_86 : Slot_0,  sample_32 : ptr<function, Sample_0>) -> Wal
 fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
 {
     var sample_33 : Sample_0;
-    var _S625 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
-    var at_24 : Walker_0 = _S625;
+    var _S629 : Walker_0 = Slot_walker_0(slot_15, &(sample_33));
+    var at_24 : Walker_0 = _S629;
     var hit_27 : Hit_0 = hit_in_slot_0(slot_15.own_5, at_24.ray_7);
     if(leaves_0(hit_27, false))
     {
         set_left_0(slot_15.own_5);
         return false;
     }
-    var _S626 : vec3<f32> = vec3<f32>(0.0f);
-    var cached_3 : vec3<f32> = _S626;
+    var _S630 : vec3<f32> = vec3<f32>(0.0f);
+    var cached_3 : vec3<f32> = _S630;
     var is_known_0 : bool;
     if(at_24.asks_cache_0)
     {
-        var _S627 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
-        is_known_0 = _S627;
+        var _S631 : bool = asks_2(at_24.path_0, at_24.ray_7, hit_27, u32(4294967295), at_24.life_0, &(cached_3));
+        is_known_0 = _S631;
     }
     else
     {
@@ -9680,10 +9796,10 @@ fn goes_on_from_second_0( slot_15 : Slot_0) -> bool
         return true;
     }
     ends_here_0 = true;
-    var emitted_6 : vec3<f32> = _S626;
-    var _S628 : Path_0 = at_24.path_0;
-    var _S629 : NextRays_0 = PathTracingOf_advance_2(&(_S628), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
-    at_24.path_0 = _S628;
+    var emitted_6 : vec3<f32> = _S630;
+    var _S632 : Path_0 = at_24.path_0;
+    var _S633 : NextRays_0 = PathTracingOf_advance_2(&(_S632), at_24.ray_7, hit_27, u32(4294967295), &(emitted_6));
+    at_24.path_0 = _S632;
     sample_33.light_1 = sample_33.light_1 + (cached_3 + emitted_6);
     Slot_end_0(slot_15, sample_33);
     return false;
@@ -9700,34 +9816,34 @@ var<workgroup> first_appended_0 : array<u32, i32(2)>;
 
 fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
 {
-    var _S630 : bool = thread_2 < u32(2);
-    if(_S630)
+    var _S634 : bool = thread_2 < u32(2);
+    if(_S634)
     {
         atomicStore(&(appended_0[thread_2]), u32(0));
     }
     workgroupBarrier();
-    var _S631 : i32;
+    var _S635 : i32;
     if(goes_on_8)
     {
-        _S631 = i32(0);
+        _S635 = i32(0);
     }
     else
     {
-        _S631 = i32(1);
+        _S635 = i32(1);
     }
-    var list_1 : u32 = u32(_S631);
+    var list_1 : u32 = u32(_S635);
     var index_39 : u32;
     if(of_0.traces_0)
     {
-        var _S632 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
-        index_39 = _S632;
+        var _S636 : u32 = atomicAdd(&(appended_0[list_1]), u32(1));
+        index_39 = _S636;
     }
     else
     {
         index_39 = u32(0);
     }
     workgroupBarrier();
-    if(_S630)
+    if(_S634)
     {
         var count_10 : u32 = atomicLoad(&(appended_0[thread_2]));
         var before_0 : u32;
@@ -9741,26 +9857,26 @@ fn append_0( thread_2 : u32,  item_6 : u32,  of_0 : Item_0,  goes_on_8 : bool)
             {
                 before_0 = u32(8);
             }
-            var _S633 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
-            before_0 = _S633;
+            var _S637 : u32 = atomicAdd(&(cell_keys_0[before_0]), count_10);
+            before_0 = _S637;
         }
         else
         {
             before_0 = u32(0);
         }
         var more_0 : u32 = (before_0 + count_10 + u32(64) - u32(1)) / u32(64) - (before_0 + u32(64) - u32(1)) / u32(64);
-        var _S634 : bool;
+        var _S638 : bool;
         if(thread_2 == u32(0))
         {
-            _S634 = more_0 > u32(0);
+            _S638 = more_0 > u32(0);
         }
         else
         {
-            _S634 = false;
+            _S638 = false;
         }
-        if(_S634)
+        if(_S638)
         {
-            var _S635 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
+            var _S639 : u32 = atomicAdd(&(cell_keys_0[u32(5)]), more_0);
         }
         first_appended_0[thread_2] = before_0;
     }
@@ -9797,10 +9913,10 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S636 : u32 = id_4.x;
-    var _S637 : Item_0 = item_of_0(_S636);
-    var item_7 : Item_0 = _S637;
-    var slot_17 : Slot_0 = Slot_x24init_0(_S637, item_7.slot_0, item_7.slot_0);
+    var _S640 : u32 = id_4.x;
+    var _S641 : Item_0 = item_of_0(_S640);
+    var item_7 : Item_0 = _S641;
+    var slot_17 : Slot_0 = Slot_x24init_0(_S641, item_7.slot_0, item_7.slot_0);
     var goes_on_9 : bool;
     if(item_7.traces_0)
     {
@@ -9812,38 +9928,38 @@ fn trace_ends(@builtin(global_invocation_id) id_4 : vec3<u32>, @builtin(local_in
     }
     if(goes_on_9)
     {
-        var _S638 : bool = goes_on_from_second_0(slot_17);
-        goes_on_9 = _S638;
+        var _S642 : bool = goes_on_from_second_0(slot_17);
+        goes_on_9 = _S642;
     }
     else
     {
         goes_on_9 = false;
     }
-    var _S639 : bool;
+    var _S643 : bool;
     if(item_7.traces_0)
     {
-        _S639 = !is_left_9(item_7.slot_0);
+        _S643 = !is_left_9(item_7.slot_0);
     }
     else
     {
-        _S639 = false;
+        _S643 = false;
     }
-    item_7.traces_0 = _S639;
-    append_0(thread_3, _S636, item_7, goes_on_9);
+    item_7.traces_0 = _S643;
+    append_0(thread_3, _S640, item_7, goes_on_9);
     return;
 }
 
 fn slot_of_rest_0( number_5 : u32,  is_lent_0 : ptr<function, bool>) -> Slot_0
 {
     var slot_18 : Slot_0;
-    var _S640 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
-    slot_18.item_2.traces_0 = number_5 < _S640;
-    var _S641 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
-    (*is_lent_0) = number_5 < _S641;
+    var _S644 : u32 = atomicLoad(&(cell_keys_0[u32(4)]));
+    slot_18.item_2.traces_0 = number_5 < _S644;
+    var _S645 : u32 = atomicLoad(&(cell_keys_0[u32(8)]));
+    (*is_lent_0) = number_5 < _S645;
     if(slot_18.item_2.traces_0)
     {
-        var _S642 : Item_0 = item_of_0(rest_0[number_5]);
-        slot_18.item_2 = _S642;
+        var _S646 : Item_0 = item_of_0(rest_0[number_5]);
+        slot_18.item_2 = _S646;
         slot_18.own_5 = slot_18.item_2.slot_0;
         slot_18.lent_0 = slot_18.item_2.slot_0;
         if((*is_lent_0))
@@ -9885,22 +10001,22 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_1 : bool;
     var slot_19 : Slot_0 = slot_of_rest_0(id_5.x, &(is_lent_1));
-    var _S643 : bool;
+    var _S647 : bool;
     if(slot_19.item_2.traces_0)
     {
-        _S643 = is_lent_1;
+        _S647 = is_lent_1;
     }
     else
     {
-        _S643 = false;
+        _S647 = false;
     }
-    if(_S643)
+    if(_S647)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = u32(1);
         var sample_34 : Sample_0;
-        var _S644 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
-        var at_27 : Walker_0 = _S644;
+        var _S648 : Walker_0 = Slot_walker_1(slot_19, &(sample_34));
+        var at_27 : Walker_0 = _S648;
         var hit_29 : Hit_0 = hit_in_slot_0(slot_19.own_5, at_27.ray_7);
         if(leaves_0(hit_29, false))
         {
@@ -9908,8 +10024,8 @@ fn trace_on(@builtin(global_invocation_id) id_5 : vec3<u32>)
         }
         else
         {
-            var _S645 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
-            if(_S645)
+            var _S649 : bool = goes_on_from_1(&(at_27), hit_29, u32(4294967295), &(sample_34));
+            if(_S649)
             {
                 Slot_keep_later_0(slot_19, at_27, hit_29, sample_34.light_1);
             }
@@ -9932,16 +10048,16 @@ fn trace_on_rays(@builtin(global_invocation_id) id_6 : vec3<u32>)
     counts_arrivals_0 = false;
     var is_lent_2 : bool;
     var slot_20 : Slot_0 = slot_of_rest_0(id_6.x, &(is_lent_2));
-    var _S646 : bool;
+    var _S650 : bool;
     if(slot_20.item_2.traces_0)
     {
-        _S646 = is_lent_2;
+        _S650 = is_lent_2;
     }
     else
     {
-        _S646 = false;
+        _S650 = false;
     }
-    if(_S646)
+    if(_S650)
     {
         Slot_walk_0(slot_20);
     }
@@ -9952,9 +10068,9 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
 {
     var at_28 : Walker_0 = start_5;
     var sample_35 : Sample_0 = found_5;
-    var _S647 : bool = !walks_0;
+    var _S651 : bool = !walks_0;
     var is_under_way_0 : bool = true;
-    var is_met_4 : bool = _S647;
+    var is_met_4 : bool = _S651;
     var hit_30 : Hit_0 = first_0;
     for(;;)
     {
@@ -9967,10 +10083,10 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         if(!is_met_4)
         {
-            var _S648 : Ray_0 = at_28.ray_7;
-            var _S649 : Hit_0 = WalkTracer_trace_0(&(_S648), at_28.is_shadow_ray_0);
-            at_28.ray_7 = _S648;
-            hit_30 = _S649;
+            var _S652 : Ray_0 = at_28.ray_7;
+            var _S653 : Hit_0 = WalkTracer_trace_0(&(_S652), at_28.is_shadow_ray_0);
+            at_28.ray_7 = _S652;
+            hit_30 = _S653;
         }
         if(leaves_0(hit_30, at_28.is_shadow_ray_0))
         {
@@ -9989,8 +10105,8 @@ fn follow_0( item_8 : Item_0,  start_5 : Walker_0,  first_0 : Hit_0,  walks_0 : 
         }
         else
         {
-            var _S650 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
-            is_under_way_0 = _S650;
+            var _S654 : bool = goes_on_from_0(&(at_28), hit_30, u32(4294967295), &(sample_35));
+            is_under_way_0 = _S654;
         }
         is_met_4 = false;
     }
@@ -10032,8 +10148,8 @@ fn trace_again(@builtin(global_invocation_id) id_8 : vec3<u32>)
     {
         scatter_of_path_0.wants_light_0 = false;
         first_candidates_0 = real_time_0.candidates_0;
-        var _S651 : Walker_0 = Item_start_0(item_9);
-        follow_0(item_9, _S651, miss_0(), true, no_sample_0());
+        var _S655 : Walker_0 = Item_start_0(item_9);
+        follow_0(item_9, _S655, miss_0(), true, no_sample_0());
     }
     return;
 }
@@ -10046,14 +10162,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     first_candidates_0 = u32(1);
     weighs_candidates_0 = false;
     counts_arrivals_0 = false;
-    var _S652 : bool = thread_4 == u32(0);
-    if(_S652)
+    var _S656 : bool = thread_4 == u32(0);
+    if(_S656)
     {
         atomicStore(&(appended_0[i32(0)]), u32(0));
     }
     workgroupBarrier();
-    var _S653 : u32 = id_9.x;
-    var item_10 : Item_0 = item_of_0(_S653);
+    var _S657 : u32 = id_9.x;
+    var item_10 : Item_0 = item_of_0(_S657);
     var is_listed_0 : bool;
     if(item_10.traces_0)
     {
@@ -10066,22 +10182,22 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
     var index_40 : u32;
     if(is_listed_0)
     {
-        var _S654 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
-        index_40 = _S654;
+        var _S658 : u32 = atomicAdd(&(appended_0[i32(0)]), u32(1));
+        index_40 = _S658;
     }
     else
     {
         index_40 = u32(0);
     }
     workgroupBarrier();
-    if(_S652)
+    if(_S656)
     {
         var count_11 : u32 = atomicLoad(&(appended_0[i32(0)]));
         var before_1 : u32;
         if(count_11 > u32(0))
         {
-            var _S655 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
-            before_1 = _S655;
+            var _S659 : u32 = atomicAdd(&(cell_keys_0[u32(9)]), count_11);
+            before_1 = _S659;
         }
         else
         {
@@ -10090,14 +10206,14 @@ fn list_left(@builtin(global_invocation_id) id_9 : vec3<u32>, @builtin(local_inv
         var more_1 : u32 = (before_1 + count_11 + u32(64) - u32(1)) / u32(64) - (before_1 + u32(64) - u32(1)) / u32(64);
         if(more_1 > u32(0))
         {
-            var _S656 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
+            var _S660 : u32 = atomicAdd(&(cell_keys_0[u32(10)]), more_1);
         }
         first_appended_0[i32(0)] = before_1;
     }
     workgroupBarrier();
     if(is_listed_0)
     {
-        rest_0[first_appended_0[i32(0)] + index_40] = _S653;
+        rest_0[first_appended_0[i32(0)] + index_40] = _S657;
     }
     return;
 }

@@ -66,14 +66,24 @@ pub struct Shown {
     pub instance: u32,
 }
 
+impl Shown {
+    /// What stands for the sky, which has no place, where it is seen by chance, `way` along the camera's ray: a plane before the eye, as far as what sent the ray there.
+    fn sky(camera_ray: &Ray, way: f32) -> Self {
+        let normal = in_ten_bits(-camera_ray.direction.normalize());
+        Self { normal, place: camera_ray.at(way), instance: Hit::NONE }
+    }
+}
+
 /// What one path found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Radiance that is seen directly: emitters and sky.
     pub direct: Vec3,
-    /// Radiance of light that the shown surface scatters; of light that media scatter, where no surface is shown.
+    /// Radiance of light that the shown surface scatters; of light that media scatter, where no surface is shown; and of emitters and sky that are seen by chance, as glass
+    /// sends a ray on or back: that has noise.
     pub light: Vec3,
-    /// Share of light that the shown surface scatters, times what of it arrives; 1 where a medium scatters it, 0 where nothing does.
+    /// Share of light that the shown surface scatters, times what of it arrives; 1 where a medium scatters it, 0 where nothing does. Of what is seen by chance what
+    /// arrives.
     pub albedo: Vec3,
     /// The shown surface.
     pub shown: Option<Shown>,
@@ -146,18 +156,20 @@ impl View<'_> {
         if self.has_media {
             path = path.in_medium(self.scene, &camera_ray);
         }
-        let (mut ray, mut way) = (camera_ray, 0.0);
+        let (mut ray, mut way, mut by_chance) = (camera_ray, 0.0, false);
         loop {
             let hit = self.cast(&path, &ray);
             sample.sees_mover |= !hit.is_miss() && self.movers.have(hit.instance);
             let (mut arrived, mut light) = (path, Vec3::ZERO);
             let mut direct = Vec3::ZERO;
             let next = self.advance_apart(&mut path, (&ray, &hit), choosing, &mut direct, &mut light);
-            sample.direct += direct;
+            let is_lit = by_chance && direct.max_element() > 0.0;
+            *(if is_lit { &mut sample.light } else { &mut sample.direct }) += direct;
             sample.light += light;
             if path.scattered == 0
                 && let Some(next) = next
             {
+                by_chance |= self.is_by_chance(&arrived, &path, &hit);
                 way += hit.t;
                 ray = next;
                 continue;
@@ -167,7 +179,7 @@ impl View<'_> {
                     arrived.absorb(self.scene, &inside, &ray, hit.t);
                 }
                 let seen = Seen::new(self.scene, &self.limits.lines, (&ray, &hit), arrived.beta, true);
-                sample.albedo = seen.albedo;
+                sample.albedo = if is_lit { arrived.beta } else { seen.albedo };
                 sample.shown = Some(Shown {
                     normal: in_ten_bits(self.scene.shading_normal(&ray, &hit)),
                     place: camera_ray.at(way + hit.t),
@@ -177,9 +189,18 @@ impl View<'_> {
                 // A path that meets nothing in a medium is scattered there.
                 sample.albedo = Vec3::ONE;
                 sample.sees_mover |= !self.movers.moved().is_empty();
+            } else if is_lit {
+                sample.albedo = arrived.beta;
+                sample.shown = Some(Shown::sky(&camera_ray, way));
             }
             return next.map(|next| (path, next));
         }
+    }
+
+    /// Whether chance chose where a path went straight on from `hit`: all but metal sends rays back or on, and what does not refract lets all pass.
+    fn is_by_chance(&self, arrived: &Path, path: &Path, hit: &Hit) -> bool {
+        let is_metal = || self.scene.materials()[arrived.material(self.scene, hit) as usize].metallic >= 1.0;
+        path.normal != Vec3::ZERO && (arrived.inside.is_some() || !is_metal())
     }
 
     /// What a path's ray meets.
